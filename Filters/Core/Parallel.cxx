@@ -35,6 +35,6 @@ void FirstException::rethrow() const
   }
 }
 
-}
+} // namespace detail
 
-}
+} // namespace hachure

@@ -8,9 +8,9 @@
 #include <exception>
 #include <utility>
 
-// The only header with OpenMP in it. Work is divided statically and bodies write to slots of their own,
-// so that the result does not depend on the number of threads. Regions never nest: a loop inside a
-// running loop is done by the thread that meets it.
+// The only header with OpenMP in it. Work is divided statically and bodies write to slots of their
+// own, so that the result does not depend on the number of threads. Regions never nest: a loop
+// inside a running loop is done by the thread that meets it.
 namespace hachure
 {
 
@@ -20,7 +20,8 @@ int maximumThreads();
 namespace detail
 {
 
-// Keeps the exception of the lowest index, so that the same error is reported for any number of threads.
+// Keeps the exception of the lowest index, so that the same error is reported for any number of
+// threads.
 class FirstException
 {
 public:
@@ -32,11 +33,11 @@ private:
   std::int64_t index = 0;
 };
 
-}
+} // namespace detail
 
-// Calls body(begin, end) for consecutive ranges of `grain` indices (the last may be shorter) that cover
-// [0, count). The ranges are the same for any number of threads. An exception thrown by a body reaches
-// the caller, after all other ranges have run.
+// Calls body(begin, end) for consecutive ranges of `grain` indices (the last may be shorter) that
+// cover [0, count). The ranges are the same for any number of threads. An exception thrown by a
+// body reaches the caller, after all other ranges have run.
 template <class Body>
 void parallelForRanges(std::int64_t count, std::int64_t grain, Body&& body)
 {
@@ -77,6 +78,6 @@ void parallelFor(std::int64_t count, Body&& body)
     });
 }
 
-}
+} // namespace hachure
 
 #endif

@@ -74,6 +74,6 @@ private:
   std::size_t count = 0;
 };
 
-}
+} // namespace hachure
 
 #endif

@@ -31,8 +31,9 @@ TEST(Parallel, RangesCoverWithoutOverlap)
 {
   std::vector<std::pair<std::int64_t, std::int64_t>> ranges(4);
   hachure::parallelForRanges(10, 3,
-    [&](std::int64_t begin, std::int64_t end)
-    { ranges[static_cast<std::size_t>(begin / 3)] = { begin, end }; });
+    [&](std::int64_t begin, std::int64_t end) {
+      ranges[static_cast<std::size_t>(begin / 3)] = { begin, end };
+    });
   const std::vector<std::pair<std::int64_t, std::int64_t>> expected{ { 0, 3 }, { 3, 6 }, { 6, 9 },
     { 9, 10 } };
   EXPECT_EQ(ranges, expected);
@@ -65,8 +66,8 @@ TEST(Parallel, InnerLoopStaysOnItsThread)
     GTEST_SKIP() << "one thread only";
   }
   std::atomic<int> nested{ 0 };
-  hachure::parallelForRanges(64, 1,
-    [&](std::int64_t, std::int64_t) { nested += hachure::maximumThreads() == 1 ? 1 : 0; });
+  hachure::parallelForRanges(
+    64, 1, [&](std::int64_t, std::int64_t) { nested += hachure::maximumThreads() == 1 ? 1 : 0; });
   EXPECT_EQ(nested, 64);
 }
 
@@ -83,4 +84,4 @@ TEST(Span, ViewsWithoutCopy)
   EXPECT_TRUE(hachure::Span<const int>().empty());
 }
 
-}
+} // namespace

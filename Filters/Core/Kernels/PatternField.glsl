@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// An image pattern drawn at any scale with exact tone. Needs Ink.glsl and Lod.glsl before it.
+//
+// What a renderer does per pixel, and ToneTable.cxx does when it measures:
+//   s      wrapped LOD scale in [1, 2): wrapScale(similarity scale); 1 for patterns fixed in the image
+//   tile   RG32F texture: red = screen, green = gradient (screen change per texel of level 0, on every level),
+//          mip level k = k-th element of mipChain(), GL_REPEAT, linear filter in and between levels
+//   table  R32F texture, 256 tones wide, 16 rows high, linear, clamped to edge: the ToneTable
+//   tpp1   texels of level 0 per drawn pixel at s = 1 (the table is built with the same number):
+//          tile width / (periods across the tile * pixels per period)
+//
+//   float tpp = tpp1 / s;
+//   float t = lodBlend(s, s0, s1);
+//   vec2 first = textureLod(tile, uv, tileLevel(tpp)).rg;            // may be skipped when t == 1
+//   vec2 second = textureLod(tile, 2 uv, tileLevel(2.0 * tpp)).rg;   // may be skipped when t == 0
+//   vec2 field = patternField(first, second, t, tpp);
+//   vec2 at = vec2(tableColumn(tone), tableRow(s, s0, s1));
+//   float ink = patternInk(tone, texture(table, at).r, field, flatShare(s, t, pixelsPerPeriodAtScale1));
+//
+// uv: 1 per tile width (and 1 per tile height); y up; row 0 of the tile is the bottom.
+// All of s, t, tpp, tableRow, flatShare are constant per patch and draw: compute them outside the pixel.
+
+// Rows and columns of the table.
+const float tableTones = 256.0f;
+const float tableSteps = 16.0f;
+// Rows before the LOD transition, and from its end to scale 2; all others lie in the transition.
+const float tableOuterRows = 2.0f;
+// Below this many pixels per period a screen cannot be resolved: ink = tone. Above one pixel more, no change.
+const float flatPeriod = 2.0f;
+
+// Mip level, may be fractional, for a footprint in texels of level 0 per pixel.
+float tileLevel(float texelsPerPixel)
+{
+  return max(0.0f, log2(max(texelsPerPixel, 1.0e-6f)));
+}
+
+// Screen (x) and its change across a pixel (y) from the texels of both octaves.
+vec2 patternField(vec2 first, vec2 second, float t, float texelsPerPixel)
+{
+  float screen = mix(first.x, second.x, t);
+  float width = mix(first.y, 2.0f * second.y, t) * texelsPerPixel;
+  return vec2(screen, width);
+}
+
+// Texture coordinate of a tone in the table.
+float tableColumn(float tone)
+{
+  return (clamp(tone, 0.0f, 1.0f) * (tableTones - 1.0f) + 0.5f) / tableTones;
+}
+
+// The weight of the half-size copy, spread so that the table is close to linear between its rows: thresholds
+// leave both ends of the transition like square roots.
+float spreadBlend(float t)
+{
+  return t < 0.5f ? sqrt(0.5f * max(t, 0.0f)) : 1.0f - sqrt(0.5f * max(1.0f - t, 0.0f));
+}
+
+// Inverse of spreadBlend.
+float unspreadBlend(float x)
+{
+  return x < 0.5f ? 2.0f * x * x : 1.0f - 2.0f * (1.0f - x) * (1.0f - x);
+}
+
+// Texture coordinate of a wrapped scale in the table: row 0 is s = 1, the last row is s = 2.
+// 1 <= s0 <= s1 <= 2.
+float tableRow(float s, float s0, float s1)
+{
+  float last = tableSteps - 1.0f;
+  float row = last;
+  if (s <= s0)
+  {
+    row = tableOuterRows * clamp((s - 1.0f) / max(s0 - 1.0f, 1.0e-6f), 0.0f, 1.0f);
+  }
+  else if (s < s1)
+  {
+    row = tableOuterRows + (last - 2.0f * tableOuterRows) * spreadBlend(lodBlend(s, s0, s1));
+  }
+  else
+  {
+    row = last - tableOuterRows * clamp((2.0f - s) / max(2.0f - s1, 1.0e-6f), 0.0f, 1.0f);
+  }
+  return (row + 0.5f) / tableSteps;
+}
+
+// The wrapped scale of a row number (0 to 15) of the table: inverse of tableRow.
+float tableScale(float row, float s0, float s1)
+{
+  float last = tableSteps - 1.0f;
+  if (row <= tableOuterRows)
+  {
+    return mix(1.0f, s0, row / tableOuterRows);
+  }
+  if (row >= last - tableOuterRows)
+  {
+    return mix(2.0f, s1, (last - row) / tableOuterRows);
+  }
+  return mix(s0, s1, unspreadBlend((row - tableOuterRows) / (last - 2.0f * tableOuterRows)));
+}
+
+// Share of flat tone (ink = tone) in the drawing: 1 up to 2 pixels per period, 0 from 3 on. t is the weight
+// of the half-size copy, whose period is half.
+float flatShare(float s, float t, float pixelsPerPeriodAtScale1)
+{
+  float period = pixelsPerPeriodAtScale1 * s * mix(1.0f, 0.5f, t);
+  return 1.0f - clamp(period - flatPeriod, 0.0f, 1.0f);
+}
+
+// Ink share of a pixel. field = patternField(), threshold = table value. No tone, no ink; full tone, full ink.
+float patternInk(float tone, float threshold, vec2 field, float flatWeight)
+{
+  if (tone <= 0.0f)
+  {
+    return 0.0f;
+  }
+  if (tone >= 1.0f)
+  {
+    return 1.0f;
+  }
+  return mix(inkCoverage(field.x, threshold, field.y), tone, flatWeight);
+}

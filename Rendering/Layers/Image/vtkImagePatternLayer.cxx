@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkImagePatternLayer.h"
+
+#include "PatternImageFile.h"
+#include "PatternStyleArchive.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkImagePatternLayer);
+
+//------------------------------------------------------------------------------
+void vtkImagePatternLayer::SetImage(vtkImageData* image)
+{
+  if (this->Image != image)
+  {
+    this->Image = image;
+    this->ImageFileName.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkImagePatternLayer::GetImage()
+{
+  return this->Image;
+}
+
+//------------------------------------------------------------------------------
+bool vtkImagePatternLayer::ReadImage(const std::string& fileName)
+{
+  try
+  {
+    this->SetImage(hachure::readPatternImage(fileName));
+    this->SetImageFileName(fileName.c_str());
+    return true;
+  }
+  catch (const std::runtime_error& error)
+  {
+    vtkErrorMacro("ReadImage: " << error.what());
+    return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkImagePatternLayer::SetImageFileName(const char* fileName)
+{
+  const std::string text = fileName ? fileName : "";
+  if (text != this->ImageFileName)
+  {
+    this->ImageFileName = text;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkImagePatternLayer::GetImageFileName()
+{
+  return this->ImageFileName.c_str();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkImagePatternLayer::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Image ? std::max(time, this->Image->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+void vtkImagePatternLayer::DescribeField(hachure::StyleArchive& archive)
+{
+  using Self = vtkImagePatternLayer;
+  archive.choice("pattern", this, &Self::GetPattern, &Self::SetPattern,
+    { "hatch", "crossHatch", "halftone", "image" });
+  archive.imageFile("image", this->Image, this->ImageFileName);
+  archive.length("size", this, &Self::GetSize, &Self::SetSize, &Self::GetSizeUnit,
+    &Self::SetSizeUnit, { this->GetSizeMinValue(), this->GetSizeMaxValue() });
+  archive.number("angle", this, &Self::GetAngle, &Self::SetAngle,
+    { this->GetAngleMinValue(), this->GetAngleMaxValue() });
+  archive.number("irregularity", this, &Self::GetIrregularity, &Self::SetIrregularity,
+    { this->GetIrregularityMinValue(), this->GetIrregularityMaxValue() });
+  archive.choice(
+    "motion", this, &Self::GetMotion, &Self::SetMotion, { "similarity", "fixedInImage" });
+  archive.number("lodStart", this, &Self::GetLodStart, &Self::SetLodStart,
+    { this->GetLodStartMinValue(), this->GetLodStartMaxValue() });
+  archive.number("lodEnd", this, &Self::GetLodEnd, &Self::SetLodEnd,
+    { this->GetLodEndMinValue(), this->GetLodEndMaxValue() });
+}
+
+//------------------------------------------------------------------------------
+void vtkImagePatternLayer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Pattern: " << this->Pattern << "\n";
+  os << indent << "Image: " << this->Image.Get() << "\n";
+  os << indent << "ImageFileName: " << this->ImageFileName << "\n";
+  os << indent << "Size: " << this->Size << "\n";
+  os << indent << "SizeUnit: " << this->SizeUnit << "\n";
+  os << indent << "Angle: " << this->Angle << "\n";
+  os << indent << "Irregularity: " << this->Irregularity << "\n";
+  os << indent << "Motion: " << this->Motion << "\n";
+  os << indent << "LodStart: " << this->LodStart << "\n";
+  os << indent << "LodEnd: " << this->LodEnd << "\n";
+}

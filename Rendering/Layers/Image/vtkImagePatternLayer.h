@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkImagePatternLayer
+ * @brief a layer whose field is a tileable image: hatching, a halftone screen, any picture
+ *
+ * The image lies in the image plane and follows the surface patch by patch with a similarity of
+ * the plane (Breslav et al. 2007), or stays fixed in the image. While the similarity's scale s,
+ * wrapped into [1,2), goes from LodStart to LodEnd, the image at half the size takes over, so
+ * that the size of the marks stays near Size at every zoom.
+ */
+
+#ifndef vtkImagePatternLayer_h
+#define vtkImagePatternLayer_h
+
+#include "vtkImageData.h" // For the user's image
+#include "vtkPatternLayer.h"
+
+#include <string>
+
+class HACHURERENDERING_EXPORT vtkImagePatternLayer : public vtkPatternLayer
+{
+public:
+  static vtkImagePatternLayer* New();
+  vtkTypeMacro(vtkImagePatternLayer, vtkPatternLayer);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * HATCH: parallel strokes. CROSS_HATCH: a second, perpendicular set comes in with darker tones.
+   * HALFTONE: a square grid of growing dots. IMAGE: the picture given by Image.
+   */
+  enum PatternType
+  {
+    HATCH = 0,
+    CROSS_HATCH = 1,
+    HALFTONE = 2,
+    IMAGE = 3
+  };
+
+  /** SIMILARITY: the pattern follows the surface. FIXED_IN_IMAGE: it stays where it is. */
+  enum MotionType
+  {
+    SIMILARITY = 0,
+    FIXED_IN_IMAGE = 1
+  };
+
+  const char* GetTypeName() override { return "image"; }
+
+  ///@{
+  /** Pattern of the field, one of PatternType; default HATCH. */
+  vtkSetClampMacro(Pattern, int, HATCH, IMAGE);
+  vtkGetMacro(Pattern, int);
+  ///@}
+
+  ///@{
+  /** Picture for the pattern IMAGE, repeated in both directions; dark is inked first. One slice
+   * with scalars; default null, which is an error when drawn. Setting another one clears
+   * ImageFileName. */
+  virtual void SetImage(vtkImageData* image);
+  virtual vtkImageData* GetImage();
+  ///@}
+
+  /**
+   * Reads Image from any picture file that vtkImageReader2Factory knows and remembers its name.
+   * Returns false, after an error that says why, and changes nothing when that fails.
+   */
+  virtual bool ReadImage(const std::string& fileName);
+
+  ///@{
+  /** File that style files name as the source of Image. ReadImage sets it; set it by hand after
+   * SetImage when the picture has been saved. Default empty. */
+  virtual void SetImageFileName(const char* fileName);
+  virtual const char* GetImageFileName();
+  ///@}
+
+  ///@{
+  /** Period of the pattern, or the width of the tile for IMAGE, in SizeUnit. Range 0.01 to 10000,
+   * default 8. Under two pixels per period the ink is an even grey. */
+  vtkSetClampMacro(Size, double, 0.01, 10000.0);
+  vtkGetMacro(Size, double);
+  ///@}
+
+  ///@{
+  /** Unit of Size, PIXELS or MILLIMETRES; default PIXELS. */
+  vtkSetClampMacro(SizeUnit, int, PIXELS, MILLIMETRES);
+  vtkGetMacro(SizeUnit, int);
+  ///@}
+
+  ///@{
+  /** Direction of the strokes, of the screen's rows or of the picture's x axis: degrees
+   * counter-clockwise from +x with y up. Range -360 to 360, default 45. */
+  vtkSetClampMacro(Angle, double, -360.0, 360.0);
+  vtkGetMacro(Angle, double);
+  ///@}
+
+  ///@{
+  /** How far the marks wander from a ruled pattern, 0 (ruled) to 1 (sketched); default 0. No
+   * effect on IMAGE. */
+  vtkSetClampMacro(Irregularity, double, 0.0, 1.0);
+  vtkGetMacro(Irregularity, double);
+  ///@}
+
+  ///@{
+  /** How the pattern moves, one of MotionType; default SIMILARITY. */
+  vtkSetClampMacro(Motion, int, SIMILARITY, FIXED_IN_IMAGE);
+  vtkGetMacro(Motion, int);
+  ///@}
+
+  ///@{
+  /** Scales at which the pattern of half the size begins to show and has taken over. Range 1 to
+   * 2; defaults 1.3 and 1.7. When LodEnd is not above LodStart it takes over at once at
+   * LodStart. */
+  vtkSetClampMacro(LodStart, double, 1.0, 2.0);
+  vtkGetMacro(LodStart, double);
+  vtkSetClampMacro(LodEnd, double, 1.0, 2.0);
+  vtkGetMacro(LodEnd, double);
+  ///@}
+
+  /** Latest change of the layer, its tone or its image. */
+  vtkMTimeType GetMTime() override;
+
+#ifndef __VTK_WRAP__
+  void DescribeField(hachure::StyleArchive& archive) override;
+#endif
+
+protected:
+  vtkImagePatternLayer() = default;
+  ~vtkImagePatternLayer() override = default;
+
+private:
+  vtkImagePatternLayer(const vtkImagePatternLayer&) = delete;
+  void operator=(const vtkImagePatternLayer&) = delete;
+
+  int Pattern = HATCH;
+  vtkSmartPointer<vtkImageData> Image;
+  std::string ImageFileName;
+  double Size = 8.0;
+  int SizeUnit = PIXELS;
+  double Angle = 45.0;
+  double Irregularity = 0.0;
+  int Motion = SIMILARITY;
+  double LodStart = 1.3;
+  double LodEnd = 1.7;
+};
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PatternPresets.h"
+
+#include "preset_cross_hatch.h"
+#include "preset_halftone.h"
+#include "preset_hatch.h"
+
+namespace hachure
+{
+
+//------------------------------------------------------------------------------
+const std::vector<Preset>& presets()
+{
+  static const std::vector<Preset> list = {
+    { "hatch", preset_hatch },
+    { "cross-hatch", preset_cross_hatch },
+    { "halftone", preset_halftone },
+  };
+  return list;
+}
+
+} // namespace hachure

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PatternStyleJson.h"
+
+#include "PatternStyleArchive.h"
+#include "vtkImagePatternLayer.h"
+#include "vtkNew.h"
+#include "vtkPatternStyle.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace
+{
+
+using hachure::StyleArchive;
+using hachure::StyleError;
+using hachure::StyleSession;
+using LayerPointer = vtkSmartPointer<vtkPatternLayer>;
+
+constexpr int formatVersion = 1;
+constexpr hachure::NumberRange anyVersion = { -1e9, 1e9 };
+constexpr hachure::NumberRange anySeed = { 0.0, std::numeric_limits<vtkTypeUInt32>::max() };
+
+struct LayerType
+{
+  std::string name;
+  LayerPointer (*create)();
+};
+
+template <class Layer>
+LayerPointer create()
+{
+  return vtkSmartPointer<Layer>::New();
+}
+
+/** Every type of layer that style files can hold. */
+const std::vector<LayerType>& layerTypes()
+{
+  static const std::vector<LayerType> types = { { "image", create<vtkImagePatternLayer> } };
+  return types;
+}
+
+//------------------------------------------------------------------------------
+void describeTone(StyleArchive& archive, vtkPatternTone* tone)
+{
+  using Tone = vtkPatternTone;
+  archive.choice(
+    "source", tone, &Tone::GetSource, &Tone::SetSource, { "lit", "litColor", "array", "constant" });
+  archive.text("arrayName", tone, &Tone::GetArrayName, &Tone::SetArrayName);
+  archive.choice("arrayAssociation", tone, &Tone::GetArrayAssociation, &Tone::SetArrayAssociation,
+    { "pointsThenCells", "points", "cells" });
+  archive.integer("component", tone, &Tone::GetComponent, &Tone::SetComponent,
+    { -1.0, static_cast<double>(tone->GetComponentMaxValue()) });
+  archive.pair("range", tone, &Tone::GetRange, &Tone::SetRange);
+  archive.number("constant", tone, &Tone::GetConstant, &Tone::SetConstant,
+    { tone->GetConstantMinValue(), tone->GetConstantMaxValue() });
+  archive.number("gamma", tone, &Tone::GetGamma, &Tone::SetGamma,
+    { tone->GetGammaMinValue(), tone->GetGammaMaxValue() });
+  archive.boolean("invert", tone, &Tone::GetInvert, &Tone::SetInvert);
+}
+
+//------------------------------------------------------------------------------
+void describeInk(StyleArchive& archive, vtkPatternLayer* layer)
+{
+  using Layer = vtkPatternLayer;
+  archive.color("color", layer, &Layer::GetColor, &Layer::SetColor);
+  archive.number("opacity", layer, &Layer::GetOpacity, &Layer::SetOpacity,
+    { layer->GetOpacityMinValue(), layer->GetOpacityMaxValue() });
+  archive.choice("blendMode", layer, &Layer::GetBlendMode, &Layer::SetBlendMode,
+    { "over", "multiply", "overlay", "screen" });
+}
+
+//------------------------------------------------------------------------------
+void describeLayer(StyleArchive& archive, LayerPointer& layer)
+{
+  if (archive.isReading())
+  {
+    std::string name;
+    if (!archive.has("type"))
+    {
+      archive.fail("type", "missing; a layer needs one");
+    }
+    name = archive.readText("type");
+    std::string known;
+    for (const LayerType& type : layerTypes())
+    {
+      known += (known.empty() ? "\"" : ", \"") + type.name + "\"";
+      layer = type.name == name ? type.create() : layer;
+    }
+    if (!layer)
+    {
+      archive.fail("type", "unknown \"" + name + "\"; expected one of " + known);
+    }
+  }
+  else
+  {
+    archive.writeText("type", layer->GetTypeName());
+  }
+  archive.boolean(
+    "enabled", layer.Get(), &vtkPatternLayer::GetEnabled, &vtkPatternLayer::SetEnabled);
+  archive.integer(
+    "seed", layer.Get(), &vtkPatternLayer::GetSeed, &vtkPatternLayer::SetSeed, anySeed);
+  archive.group("field", [&](StyleArchive& field) { layer->DescribeField(field); });
+  archive.group("tone", [&](StyleArchive& tone) { describeTone(tone, layer->GetTone()); });
+  archive.group("ink", [&](StyleArchive& ink) { describeInk(ink, layer); });
+}
+
+//------------------------------------------------------------------------------
+void describeOutline(StyleArchive& archive, vtkPatternStyle* style)
+{
+  using Style = vtkPatternStyle;
+  archive.boolean("enabled", style, &Style::GetOutline, &Style::SetOutline);
+  archive.color("color", style, &Style::GetOutlineColor, &Style::SetOutlineColor);
+  archive.length("width", style, &Style::GetOutlineWidth, &Style::SetOutlineWidth,
+    &Style::GetOutlineWidthUnit, &Style::SetOutlineWidthUnit,
+    { style->GetOutlineWidthMinValue(), style->GetOutlineWidthMaxValue() });
+  archive.boolean("silhouette", style, &Style::GetOutlineSilhouette, &Style::SetOutlineSilhouette);
+  archive.boolean("creases", style, &Style::GetOutlineCreases, &Style::SetOutlineCreases);
+  archive.boolean("borders", style, &Style::GetOutlineBorders, &Style::SetOutlineBorders);
+  archive.number("creaseAngle", style, &Style::GetOutlineCreaseAngle, &Style::SetOutlineCreaseAngle,
+    { style->GetOutlineCreaseAngleMinValue(), style->GetOutlineCreaseAngleMaxValue() });
+}
+
+//------------------------------------------------------------------------------
+void describeTracking(StyleArchive& archive, vtkPatternStyle* style)
+{
+  using Style = vtkPatternStyle;
+  archive.choice(
+    "mode", style, &Style::GetTrackingMode, &Style::SetTrackingMode, { "tracked", "anchored" });
+  archive.choice("weightScheme", style, &Style::GetWeightScheme, &Style::SetWeightScheme,
+    { "symmetric", "classic", "unweighted" });
+  archive.integer("samplesPerPatch", style, &Style::GetSamplesPerPatch, &Style::SetSamplesPerPatch,
+    { static_cast<double>(style->GetSamplesPerPatchMinValue()),
+      static_cast<double>(style->GetSamplesPerPatchMaxValue()) });
+}
+
+//------------------------------------------------------------------------------
+void describePaper(StyleArchive& archive, vtkPatternStyle* style)
+{
+  using Style = vtkPatternStyle;
+  archive.choice("source", style, &Style::GetPaperSource, &Style::SetPaperSource,
+    { "constant", "surface", "flat" });
+  archive.color("color", style, &Style::GetPaperColor, &Style::SetPaperColor);
+  archive.resolution("dotsPerInch");
+}
+
+//------------------------------------------------------------------------------
+void describeVersion(StyleArchive& archive)
+{
+  if (!archive.isReading())
+  {
+    archive.writeInteger("hachure", formatVersion);
+    return;
+  }
+  if (!archive.has("hachure"))
+  {
+    archive.fail("hachure", "missing; a style states its version as \"hachure\": 1");
+  }
+  const vtkTypeInt64 version = archive.readInteger("hachure", anyVersion);
+  if (version != formatVersion)
+  {
+    archive.fail("hachure", "version " + std::to_string(version) + " is unknown; expected 1");
+  }
+}
+
+//------------------------------------------------------------------------------
+void describeLayers(StyleArchive& archive, std::vector<LayerPointer>& layers)
+{
+  if (!archive.has("layers"))
+  {
+    return;
+  }
+  Json::Value& list = archive.member("layers");
+  if (!archive.isReading())
+  {
+    list = Json::Value(Json::arrayValue);
+    list.resize(static_cast<Json::ArrayIndex>(layers.size()));
+  }
+  else if (!list.isArray())
+  {
+    archive.fail("layers", "expected a list of layers");
+  }
+  layers.resize(list.size());
+  for (Json::ArrayIndex i = 0; i < list.size(); ++i)
+  {
+    StyleArchive inner(archive.getSession(), list[i], "layers[" + std::to_string(i) + "]");
+    inner.describe([&](StyleArchive& layer) { describeLayer(layer, layers[i]); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void describeSettings(StyleArchive& archive, vtkPatternStyle* style)
+{
+  describeVersion(archive);
+  archive.group("paper", [&](StyleArchive& paper) { describePaper(paper, style); });
+  archive.group("outline", [&](StyleArchive& outline) { describeOutline(outline, style); });
+  archive.group("tracking", [&](StyleArchive& tracking) { describeTracking(tracking, style); });
+}
+
+//------------------------------------------------------------------------------
+Json::Value parse(const std::string& text)
+{
+  Json::CharReaderBuilder builder;
+  Json::CharReaderBuilder::strictMode(&builder.settings_);
+  const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
+  Json::Value root;
+  std::string errors;
+  bool valid = false;
+  try
+  {
+    valid = reader->parse(text.data(), text.data() + text.size(), &root, &errors);
+  }
+  catch (const std::exception& error) // such as nesting without end
+  {
+    errors = error.what();
+  }
+  if (!valid)
+  {
+    std::replace(errors.begin(), errors.end(), '\n', ' ');
+    throw StyleError("style: not valid JSON: " + errors);
+  }
+  return root;
+}
+
+//------------------------------------------------------------------------------
+/** Runs the settings of one style over to another. */
+void copySettings(vtkPatternStyle* source, vtkPatternStyle* target)
+{
+  StyleSession session;
+  session.reading = false;
+  Json::Value settings(Json::objectValue);
+  StyleArchive writer(session, settings, "");
+  describeSettings(writer, source);
+  session.reading = true;
+  StyleArchive reader(session, settings, "");
+  describeSettings(reader, target);
+}
+
+} // namespace
+
+namespace hachure
+{
+
+//------------------------------------------------------------------------------
+void readStyle(const std::string& text, const std::string& folder, vtkPatternStyle* style)
+{
+  Json::Value root = parse(text);
+  StyleSession session;
+  session.folder = folder;
+  StyleArchive archive(session, root, "");
+  // Everything is read into a new style first: keys that are absent mean the defaults, and an
+  // error leaves the given style alone.
+  vtkNew<vtkPatternStyle> fresh;
+  session.dotsPerInch = fresh->GetDotsPerInch();
+  std::vector<LayerPointer> layers;
+  archive.describe(
+    [&](StyleArchive& top)
+    {
+      describeSettings(top, fresh);
+      describeLayers(top, layers);
+    });
+  copySettings(fresh, style);
+  style->SetDotsPerInch(session.dotsPerInch);
+  style->RemoveAllLayers();
+  for (const LayerPointer& layer : layers)
+  {
+    style->AddLayer(layer);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string writeStyle(vtkPatternStyle* style, const std::string& folder)
+{
+  std::vector<LayerPointer> layers;
+  for (int i = 0; i < style->GetNumberOfLayers(); ++i)
+  {
+    layers.emplace_back(style->GetLayer(i));
+  }
+  StyleSession session;
+  session.reading = false;
+  session.folder = folder;
+  session.dotsPerInch = style->GetDotsPerInch();
+  Json::Value root(Json::objectValue);
+  StyleArchive archive(session, root, "");
+  describeSettings(archive, style);
+  describeLayers(archive, layers);
+  Json::StreamWriterBuilder builder;
+  builder["indentation"] = "  ";
+  builder["precision"] = session.digits;
+  return Json::writeString(builder, root) + "\n";
+}
+
+} // namespace hachure

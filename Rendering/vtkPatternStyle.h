@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkPatternStyle
+ * @brief what a surface is drawn with: paper, a stack of layers and an outline
+ *
+ * A style holds parameters alone and can serve any number of mappers. A new one is bare paper;
+ * LoadPreset, LoadFile and FromJson fill it, replacing everything but PixelScale.
+ *
+ * A style as JSON: {"hachure": 1, "paper": {...}, "outline": {...}, "tracking": {...}, "layers":
+ * [{"type": "image", "enabled": true, "seed": 1, "field": {...}, "tone": {...}, "ink": {...}}]}.
+ * Keys are the names of the setters without the name of their group: PaperColor is "color" in
+ * "paper". Absent keys mean the defaults; unknown ones are errors. Values of enumerations are
+ * their names ("crossHatch"); colours are "#rrggbb", or [r, g, b] from 0 to 1 where 8 bits do not
+ * suffice; lengths are {"px": 8} or {"mm": 0.6, "dpi": 300}, with one dpi in the whole style,
+ * which "dotsPerInch" in "paper" states too.
+ *
+ * Setters clamp to the range they state; constants are members of this class.
+ *
+ * @sa vtkPatternMapper vtkPatternLayer
+ */
+
+#ifndef vtkPatternStyle_h
+#define vtkPatternStyle_h
+
+#include "HachureRenderingModule.h"
+#include "vtkObject.h"
+#include "vtkPatternLayer.h" // For the layers
+#include "vtkSmartPointer.h" // For the layers
+
+#include <string>
+#include <vector>
+
+class HACHURERENDERING_EXPORT vtkPatternStyle : public vtkObject
+{
+public:
+  static vtkPatternStyle* New();
+  vtkTypeMacro(vtkPatternStyle, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** What the paper shows: one colour, the lit surface, or the surface's colours without light. */
+  enum PaperSourceType
+  {
+    CONSTANT = 0,
+    SURFACE = 1,
+    FLAT = 2
+  };
+
+  /** TRACKED: patterns follow from frame to frame, by what was visible. ANCHORED: a frame depends
+   * on mesh, camera and style alone, whatever was drawn before. */
+  enum TrackingModeType
+  {
+    TRACKED = 0,
+    ANCHORED = 1
+  };
+
+  /** Weights of the samples in the fit of a step. SYMMETRIC: geometric mean of both frames, exact
+   * there and back. CLASSIC: those of the current frame (Breslav et al. 2007). UNWEIGHTED: 1. */
+  enum WeightSchemeType
+  {
+    SYMMETRIC = 0,
+    CLASSIC = 1,
+    UNWEIGHTED = 2
+  };
+
+  ///@{
+  /** The layers, drawn in the order of their index, 0 first. A layer can be in a style once; null,
+   * a layer that is there already and an index outside 0 to GetNumberOfLayers() are refused with
+   * an error. GetLayer gives null, after an error, for an index that does not exist. */
+  virtual void AddLayer(vtkPatternLayer* layer);
+  virtual void InsertLayer(int index, vtkPatternLayer* layer);
+  virtual void RemoveLayer(vtkPatternLayer* layer);
+  virtual void RemoveAllLayers();
+  virtual vtkPatternLayer* GetLayer(int index);
+  virtual int GetNumberOfLayers();
+  ///@}
+
+  ///@{
+  /** What the paper shows, one of PaperSourceType; default CONSTANT. */
+  vtkSetClampMacro(PaperSource, int, CONSTANT, FLAT);
+  vtkGetMacro(PaperSource, int);
+  ///@}
+
+  ///@{
+  /** Colour of the paper for CONSTANT, sRGB components 0 to 1; default white. */
+  virtual void SetPaperColor(double red, double green, double blue);
+  virtual void SetPaperColor(const double color[3]);
+  vtkGetVector3Macro(PaperColor, double);
+  ///@}
+
+  ///@{
+  /** Logical pixels per inch that turn millimetres into pixels. Range 1 to 10000, default 96. */
+  vtkSetClampMacro(DotsPerInch, double, 1.0, 10000.0);
+  vtkGetMacro(DotsPerInch, double);
+  ///@}
+
+  /** A length in logical pixels; unit is one of vtkPatternLayer::LengthUnit. */
+  virtual double GetLengthInPixels(double length, int unit);
+
+  ///@{
+  /** Whether lines are drawn where the surface ends or bends; default off. */
+  vtkSetMacro(Outline, bool);
+  vtkGetMacro(Outline, bool);
+  vtkBooleanMacro(Outline, bool);
+  ///@}
+
+  ///@{
+  /** Colour of the outline, sRGB components 0 to 1; default black. */
+  virtual void SetOutlineColor(double red, double green, double blue);
+  virtual void SetOutlineColor(const double color[3]);
+  vtkGetVector3Macro(OutlineColor, double);
+  ///@}
+
+  ///@{
+  /** Width of the outline in OutlineWidthUnit. Range 0 to 100, default 1.5. */
+  vtkSetClampMacro(OutlineWidth, double, 0.0, 100.0);
+  vtkGetMacro(OutlineWidth, double);
+  ///@}
+
+  ///@{
+  /** Unit of OutlineWidth, vtkPatternLayer::PIXELS or MILLIMETRES; default PIXELS. */
+  vtkSetClampMacro(OutlineWidthUnit, int, vtkPatternLayer::PIXELS, vtkPatternLayer::MILLIMETRES);
+  vtkGetMacro(OutlineWidthUnit, int);
+  ///@}
+
+  ///@{
+  /** Which lines the outline has: where the surface turns away, where it bends by more than
+   * OutlineCreaseAngle, and where it has an open edge. All on by default. */
+  vtkSetMacro(OutlineSilhouette, bool);
+  vtkGetMacro(OutlineSilhouette, bool);
+  vtkBooleanMacro(OutlineSilhouette, bool);
+  vtkSetMacro(OutlineCreases, bool);
+  vtkGetMacro(OutlineCreases, bool);
+  vtkBooleanMacro(OutlineCreases, bool);
+  vtkSetMacro(OutlineBorders, bool);
+  vtkGetMacro(OutlineBorders, bool);
+  vtkBooleanMacro(OutlineBorders, bool);
+  ///@}
+
+  ///@{
+  /** Angle between the normals on both sides from which a bend is a crease, in degrees. Range 0 to
+   * 180, default 40. */
+  vtkSetClampMacro(OutlineCreaseAngle, double, 0.0, 180.0);
+  vtkGetMacro(OutlineCreaseAngle, double);
+  ///@}
+
+  ///@{
+  /** How patterns remember the frames before, one of TrackingModeType; default TRACKED. */
+  vtkSetClampMacro(TrackingMode, int, TRACKED, ANCHORED);
+  vtkGetMacro(TrackingMode, int);
+  ///@}
+
+  ///@{
+  /** Weights of the samples, one of WeightSchemeType; default SYMMETRIC. */
+  vtkSetClampMacro(WeightScheme, int, SYMMETRIC, UNWEIGHTED);
+  vtkGetMacro(WeightScheme, int);
+  ///@}
+
+  ///@{
+  /** Surface samples per patch that the motion is fitted to. Range 2 to 100000, default 500. */
+  vtkSetClampMacro(SamplesPerPatch, int, 2, 100000);
+  vtkGetMacro(SamplesPerPatch, int);
+  ///@}
+
+  ///@{
+  /** Framebuffer pixels per logical pixel, for supersampled or high-resolution output. It belongs
+   * to the output, so that no style file holds it. Range 0.125 to 64, default 1. */
+  vtkSetClampMacro(PixelScale, double, 0.125, 64.0);
+  vtkGetMacro(PixelScale, double);
+  ///@}
+
+  ///@{
+  /** The built-in styles, in their stable order: hatch, cross-hatch, halftone. The name is null
+   * for an index that does not exist. */
+  static int GetNumberOfPresets();
+  static const char* GetPresetName(int index);
+  ///@}
+
+  /** Name of the preset that programs start with: "cross-hatch". */
+  static const char* GetDefaultPresetName();
+
+  /** Turns this style into a preset. Returns false, after an error that lists the names, when
+   * there is none of that name; the style is then unchanged. */
+  virtual bool LoadPreset(const std::string& name);
+
+  ///@{
+  /** Reads the style from JSON. Returns false, after an error with the path in the JSON and the
+   * reason, when anything is wrong with it; the style is then unchanged. Files of images are
+   * looked for relative to the style file, or to the working directory for FromJson. */
+  virtual bool FromJson(const std::string& json);
+  virtual bool LoadFile(const std::string& fileName);
+  ///@}
+
+  ///@{
+  /** Writes every parameter but PixelScale as JSON that reads back to the same values. The text is
+   * empty, or false is returned, after an error, when an image has no file or the file cannot be
+   * written. SaveFile names files of images relative to the style file. */
+  virtual std::string ToJson();
+  virtual bool SaveFile(const std::string& fileName);
+  ///@}
+
+  /** Latest change of the style, its layers or anything that they refer to. */
+  vtkMTimeType GetMTime() override;
+
+  /** A text that is equal for styles drawn by the same shader text: it tells the number, types,
+   * order and enabled states of the layers and no value that a shader takes as a parameter. */
+  virtual std::string GetStructureKey();
+
+protected:
+  vtkPatternStyle();
+  ~vtkPatternStyle() override;
+
+private:
+  vtkPatternStyle(const vtkPatternStyle&) = delete;
+  void operator=(const vtkPatternStyle&) = delete;
+
+  std::vector<vtkSmartPointer<vtkPatternLayer>> Layers;
+  int PaperSource = CONSTANT;
+  double PaperColor[3] = { 1.0, 1.0, 1.0 };
+  double DotsPerInch = 96.0;
+  bool Outline = false;
+  double OutlineColor[3] = { 0.0, 0.0, 0.0 };
+  double OutlineWidth = 1.5;
+  int OutlineWidthUnit = vtkPatternLayer::PIXELS;
+  bool OutlineSilhouette = true;
+  bool OutlineCreases = true;
+  bool OutlineBorders = true;
+  double OutlineCreaseAngle = 40.0;
+  int TrackingMode = TRACKED;
+  int WeightScheme = SYMMETRIC;
+  int SamplesPerPatch = 500;
+  double PixelScale = 1.0;
+};
+
+#endif

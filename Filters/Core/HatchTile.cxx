@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Hatching as a field of costs: every stroke is a valley whose depth says from which tone on a
+// point is inked. Vocabulary. A *family* is a set of parallel lines given by its wave vector, whole
+// numbers of lines along x and y, which closes on the tile at any angle. A *loop* is one closed
+// line of a family on the tile taken as a torus; strokes follow each other along a loop. The cost
+// of a point is the lowest, over all strokes, of
+//   onset + 2 (distance to the stroke's spine) / (spacing * pressure) + taper,
+// so that with irregularity 0 it is the triangle wave of ruled lines, and with rising tone strokes
+// appear, lengthen and thicken until they meet. Ranking the costs makes the screen uniform.
+
+#include "Parallel.h"
+#include "Random.h"
+#include "TileChecks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hachure
+{
+namespace
+{
+
+struct Point
+{
+  double x, y;
+};
+
+struct Family
+{
+  int kx, ky;
+
+  double frequency() const { return std::hypot(kx, ky); }
+  // Unit vector along the lines; (1, 0) for lines counted along +y.
+  Point along() const { return { ky / this->frequency(), -kx / this->frequency() }; }
+  Point across() const { return { kx / this->frequency(), ky / this->frequency() }; }
+};
+
+// All lengths but the centre in units of the line spacing.
+struct Stroke
+{
+  Point centre; // in tiles
+  double halfLength;
+  double entryTaper, exitTaper;
+  double onset;
+  double pressure, swell; // mean half width, and its change along the stroke
+  double tilt, bow;
+  double wobble, wobbleFrequency, wobblePhase;
+};
+
+// Random number in [-1, 1].
+double signedRandom(std::uint32_t seed, std::uint64_t id, std::uint32_t dimension)
+{
+  return 2.0 * unitRandom(seed, id, dimension) - 1.0;
+}
+
+// A stroke of the hand: everything but its place, length and onset. `hand` is the irregularity.
+void giveCharacter(Stroke& stroke, double hand, std::uint32_t seed, std::uint64_t id)
+{
+  stroke.entryTaper = 0.5 + 0.5 * unitRandom(seed, id, 10);
+  stroke.exitTaper = 1.2 + 1.4 * unitRandom(seed, id, 11);
+  stroke.pressure = 1.0 + 0.18 * hand * signedRandom(seed, id, 12);
+  stroke.swell = 0.22 * hand * signedRandom(seed, id, 13);
+  stroke.tilt = 0.12 * hand * signedRandom(seed, id, 14);
+  stroke.bow = 0.10 * hand * signedRandom(seed, id, 15);
+  stroke.wobble = hand * (0.01 + 0.03 * unitRandom(seed, id, 16));
+  stroke.wobbleFrequency = 1.2 + 1.2 * unitRandom(seed, id, 17);
+  stroke.wobblePhase = 2.0 * pi * unitRandom(seed, id, 18);
+}
+
+// Lines of strokes that follow each other, with ends that overlap a little or, for a loose hand,
+// leave a gap.
+void addLines(std::vector<Stroke>& strokes, const Family& family, double hand, std::uint32_t seed)
+{
+  constexpr double meanLength = 6.5; // in spacings: two or three strokes in what the eye takes in
+  constexpr double goldenRatio = 0.6180339887498949;
+  const int loops = std::gcd(family.kx, family.ky);
+  const double frequency = family.frequency();
+  const double loopLength = frequency * frequency / loops;
+  const int count = std::max(1, static_cast<int>(std::lround(loopLength / meanLength)));
+  const Point along = family.along();
+  const Point across = family.across();
+  for (int loop = 0; loop < loops; ++loop)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      const std::uint64_t id = static_cast<std::uint64_t>(loop) * count + i;
+      const double step = loopLength / count;
+      // Golden-ratio phases keep the ends of neighbouring lines apart.
+      const double phase = loop * goldenRatio + 0.12 * signedRandom(seed, id, 0);
+      const double arc = (i + phase) * step / frequency;
+      const double offset = (loop + 0.5 + 0.10 * hand * signedRandom(seed, id, 1)) / frequency;
+      Stroke stroke;
+      stroke.centre = { along.x * arc + across.x * offset, along.y * arc + across.y * offset };
+      giveCharacter(stroke, hand, seed, id);
+      // At a light touch tapers overlap; at a loose one some ends stay apart.
+      const double overlap = 1.6 + hand * (0.9 * unitRandom(seed, id, 2) - 1.5);
+      stroke.halfLength = 0.5 * step + 0.5 * overlap;
+      stroke.onset = 0.20 * hand * unitRandom(seed, id, 3);
+      strokes.push_back(stroke);
+    }
+  }
+}
+
+// Shorter, thinner strokes that a loose hand sets between the lines where it has to get dark.
+void addFillers(std::vector<Stroke>& strokes, const Family& family, double hand, std::uint32_t seed)
+{
+  constexpr std::uint64_t firstId = 1u << 20; // apart from the ids of the lines
+  const double frequency = family.frequency();
+  const int loops = std::gcd(family.kx, family.ky);
+  const double loopLength = frequency * frequency / loops;
+  constexpr double pitch = 8.0; // spacings along the line between two fillers
+  const int count = std::max(1, static_cast<int>(std::lround(loopLength / pitch)));
+  const Point along = family.along();
+  const Point across = family.across();
+  for (int i = 0; i < loops * count; ++i)
+  {
+    const std::uint64_t id = firstId + i;
+    const double offset = (i % loops + 1.0 + 0.12 * signedRandom(seed, id, 1)) / frequency;
+    const double arc = (i / loops + unitRandom(seed, id, 0)) * loopLength / count / frequency;
+    Stroke stroke;
+    stroke.centre = { along.x * arc + across.x * offset, along.y * arc + across.y * offset };
+    giveCharacter(stroke, hand, seed, id);
+    stroke.pressure *= 0.6;
+    stroke.halfLength = 1.6 + 1.4 * unitRandom(seed, id, 2);
+    // Beyond the reach of any tone when the hand is firm.
+    stroke.onset = 1.05 - hand * (0.28 + 0.22 * unitRandom(seed, id, 3));
+    strokes.push_back(stroke);
+  }
+}
+
+// Cost at a point given along (u) and across (v) the stroke, in spacings from its centre.
+double strokeCost(const Stroke& stroke, double u, double v)
+{
+  const double s = std::clamp(u / stroke.halfLength, -1.4, 1.4);
+  const double spine = stroke.tilt * s + stroke.bow * (s * s - 0.4) +
+    stroke.wobble * std::sin(stroke.wobbleFrequency * u + stroke.wobblePhase);
+  const double width = stroke.pressure * (1.0 + stroke.swell * s);
+  const double past = u < 0.0 ? (stroke.entryTaper - stroke.halfLength - u) / stroke.entryTaper
+                              : (u + stroke.exitTaper - stroke.halfLength) / stroke.exitTaper;
+  // The hand lets go: a lens-shaped end that grows longer with the tone.
+  const double taper = past > 0.0 ? 0.35 * past * past : 0.0;
+  return stroke.onset + 2.0 * std::abs(v - spine) / width + taper;
+}
+
+// Distance across the stroke, in spacings, past which neighbours are always nearer.
+constexpr double reachAcross = 1.4;
+// Distance past an end, in tapers, up to which it can grow.
+constexpr double reachAlong = 2.0;
+
+// A stroke at one of its places on the repeated plane, with the texels that it can reach.
+struct PlacedStroke
+{
+  const Stroke* stroke;
+  Point centre;
+  int left, right, bottom, top; // the last ones excluded
+};
+
+std::vector<PlacedStroke> placeStrokes(
+  const std::vector<Stroke>& strokes, const Family& family, int size)
+{
+  std::vector<PlacedStroke> placed;
+  const double spacing = 1.0 / family.frequency();
+  const Point along = family.along();
+  for (const Stroke& stroke : strokes)
+  {
+    const double u =
+      spacing * (stroke.halfLength + reachAlong * std::max(stroke.entryTaper, stroke.exitTaper));
+    const double v = spacing * reachAcross;
+    const double extentX = std::abs(along.x) * u + std::abs(along.y) * v;
+    const double extentY = std::abs(along.y) * u + std::abs(along.x) * v;
+    const Point home = { stroke.centre.x - std::floor(stroke.centre.x),
+      stroke.centre.y - std::floor(stroke.centre.y) };
+    const int copiesX = static_cast<int>(std::ceil(extentX));
+    const int copiesY = static_cast<int>(std::ceil(extentY));
+    const auto texel = [size](double position)
+    { return std::clamp(static_cast<int>(std::ceil(position * size - 0.5)), 0, size); };
+    for (int j = -copiesY; j <= copiesY; ++j)
+    {
+      for (int i = -copiesX; i <= copiesX; ++i)
+      {
+        const Point centre = { home.x + i, home.y + j };
+        const PlacedStroke copy = { &stroke, centre, texel(centre.x - extentX),
+          texel(centre.x + extentX), texel(centre.y - extentY), texel(centre.y + extentY) };
+        if (copy.left < copy.right && copy.bottom < copy.top)
+        {
+          placed.push_back(copy);
+        }
+      }
+    }
+  }
+  return placed;
+}
+
+// Triangle wave of ruled lines, dark in the middle between whole phases; whole-number arithmetic,
+// so that mirror images are equal to the last bit.
+double ruledCost(const Family& family, int size, int x, int y)
+{
+  const std::int64_t turn = 2 * static_cast<std::int64_t>(size);
+  const std::int64_t phase = (2 * static_cast<std::int64_t>(x) + 1) * family.kx +
+    (2 * static_cast<std::int64_t>(y) + 1) * family.ky;
+  const std::int64_t inTurn = (phase % turn + turn) % turn;
+  return static_cast<double>(std::abs(inTurn - size)) / size;
+}
+
+std::vector<float> ruledField(const Family& family, int size)
+{
+  std::vector<float> field(static_cast<std::size_t>(size) * size);
+  parallelFor(size,
+    [&](std::int64_t y)
+    {
+      for (int x = 0; x < size; ++x)
+      {
+        field[y * size + x] = static_cast<float>(ruledCost(family, size, x, static_cast<int>(y)));
+      }
+    });
+  return field;
+}
+
+std::vector<float> drawnField(const Family& family, int size, double hand, std::uint32_t seed)
+{
+  std::vector<Stroke> strokes;
+  addLines(strokes, family, hand, seed);
+  addFillers(strokes, family, hand, seed);
+  const std::vector<PlacedStroke> placed = placeStrokes(strokes, family, size);
+  const double frequency = family.frequency();
+  const Point along = family.along();
+  const Point across = family.across();
+  std::vector<float> field(static_cast<std::size_t>(size) * size);
+  parallelFor(size,
+    [&](std::int64_t y)
+    {
+      float* row = &field[y * size];
+      for (int x = 0; x < size; ++x)
+      {
+        // What no stroke reaches is inked last, lines first.
+        row[x] = static_cast<float>(2.0 + ruledCost(family, size, x, static_cast<int>(y)));
+      }
+      for (const PlacedStroke& copy : placed)
+      {
+        if (y < copy.bottom || y >= copy.top)
+        {
+          continue;
+        }
+        const double dy = ((static_cast<double>(y) + 0.5) / size - copy.centre.y) * frequency;
+        for (int x = copy.left; x < copy.right; ++x)
+        {
+          const double dx = ((x + 0.5) / size - copy.centre.x) * frequency;
+          const double cost =
+            strokeCost(*copy.stroke, dx * along.x + dy * along.y, dx * across.x + dy * across.y);
+          row[x] = std::min(row[x], static_cast<float>(cost));
+        }
+      }
+    });
+  return field;
+}
+
+PatternTile familyTile(const Family& family, const HatchOptions& options, std::uint32_t seed)
+{
+  const std::vector<float> field = options.irregularity > 0.0
+    ? drawnField(family, options.size, options.irregularity, seed)
+    : ruledField(family, options.size);
+  return imageTile(field, options.size, options.size, options.periods);
+}
+
+} // namespace
+
+PatternTile hatchTile(const HatchOptions& options)
+{
+  check::hatchOptions("hatchTile", options);
+  return familyTile({ 0, options.periods }, options, options.seed);
+}
+
+PatternTile crossHatchTile(const CrossHatchOptions& options)
+{
+  check::hatchOptions("crossHatchTile", options);
+  check::inRange("crossHatchTile", "crossingAngle", options.crossingAngle, 5.0, 175.0);
+  check::inRange("crossHatchTile", "delay", options.delay, 0.0, 0.95);
+  const double angle = options.crossingAngle * pi / 180.0;
+  Family second = { static_cast<int>(std::lround(-std::sin(angle) * options.periods)),
+    static_cast<int>(std::lround(std::cos(angle) * options.periods)) };
+  if (second.kx == 0)
+  {
+    second.kx = -1; // the flattest crossing that the tile allows, instead of none
+  }
+  const PatternTile lower = familyTile({ 0, options.periods }, options, options.seed);
+  const PatternTile upper =
+    familyTile(second, options, hashCombine(options.seed, 1)); // strokes of another hand movement
+  const float delay = static_cast<float>(options.delay);
+  std::vector<float> field(lower.screen.size());
+  parallelFor(static_cast<std::int64_t>(field.size()),
+    [&](std::int64_t i)
+    { field[i] = std::min(lower.screen[i], delay + (1.0f - delay) * upper.screen[i]); });
+  return imageTile(field, options.size, options.size, options.periods);
+}
+
+} // namespace hachure

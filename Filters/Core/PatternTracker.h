@@ -8,17 +8,17 @@
 #include "Span.h"
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
-// Moves the pattern of every patch of a surface from frame to frame (Breslav et al. 2007, section 3).
+// Moves the pattern of every patch of a surface from frame to frame (Breslav et al. 2007, section
+// 3).
 //
-// Which samples are visible is measured in the drawn picture, hence known only after drawing. So a step
-// is made twice. Before drawing frame t it is *predicted*, with the visibility of frame t-1 for both
-// frames, and drawn. When the visibility of frame t has arrived the step is fitted again, every frame
-// weighted by its own visibility, and *committed*; the next prediction starts there. Only commits
-// accumulate. As the weights of a frame then depend on that frame alone, and the fit is symmetric, a
-// movement there and back returns the pattern exactly.
+// Which samples are visible is measured in the drawn picture, hence known only after drawing. So a
+// step is made twice. Before drawing frame t it is *predicted*, with the visibility of frame t-1
+// for both frames, and drawn. When the visibility of frame t has arrived the step is fitted again,
+// every frame weighted by its own visibility, and *committed*; the next prediction starts there.
+// Only commits accumulate. As the weights of a frame then depend on that frame alone, and the fit
+// is symmetric, a movement there and back returns the pattern exactly.
 namespace hachure
 {
 
@@ -35,22 +35,25 @@ struct TrackerOptions
   bool lockRotation = false; // the pattern keeps its direction in the image
   bool lockScale = false;    // the pattern keeps its size in the image
   // A step is a cut, after which the pattern is anchored anew, where ...
-  double minimumCommonWeight = 0.05; // ... less of the smaller frame's weight is common to both frames
-  double maximumDisplacement = 1.0;  // ... it moves further, in diagonals of the viewport
-  double minimumCorrelation = 0.25;  // ... it resembles no similarity (SimilarityFit::correlation)
+  double minimumCommonWeight =
+    0.05; // ... less of the smaller frame's weight is common to both frames
+  double maximumDisplacement = 1.0; // ... it moves further, in diagonals of the viewport
+  double minimumCorrelation = 0.25; // ... it resembles no similarity (SimilarityFit::correlation)
 };
 
 class PatternTracker
 {
 public:
-  // Throws std::invalid_argument on thresholds out of range: fractions in [0, 1], a displacement > 0.
+  // Throws std::invalid_argument on thresholds out of range: fractions in [0, 1], a displacement >
+  // 0.
   void setOptions(const TrackerOptions& options);
 
-  // Once per frame, before drawing. True if a drawn transform changed. An equal view of equal samples
-  // keeps the drawn frames bit for bit. Throws as projectSamples does.
+  // Once per frame, before drawing. True if a drawn transform changed. An equal view of equal
+  // samples keeps the drawn frames bit for bit. Throws as projectSamples does.
   bool advance(const TrackedSamples& samples, const ViewProjection& view);
-  // The visibility of the samples in the picture of the last advance, 0 to 255. May be repeated; the
-  // last one counts. Throws std::invalid_argument on a number of values other than that of samples.
+  // The visibility of the samples in the picture of the last advance, 0 to 255. May be repeated;
+  // the last one counts. Throws std::invalid_argument on a number of values other than that of
+  // samples.
   void setVisibility(Span<const std::uint8_t> visibility);
 
   // What advance() would draw for this view; changes nothing.
@@ -83,22 +86,23 @@ private:
   };
   struct Step
   {
-    std::vector<SimilarityFit> fits;
-    std::vector<std::uint8_t> cut;
-    bool weak = false; // some patch has lost half of its common weight
+    std::vector<double> weights;     // per sample, common to both frames
+    std::vector<SimilarityFit> fits; // per patch
+    std::vector<std::uint8_t> cut;   // per patch
+    bool weak = false;               // some patch has lost half of its common weight
   };
 
   std::vector<double> weights(
     const Picture& picture, const std::vector<std::uint8_t>& visibility) const;
   Step fitStep(const Picture& previous, const std::vector<double>& previousWeights,
     const Picture& current, const std::vector<double>& currentWeights) const;
-  std::vector<PatternFrame> anchors(
-    const Picture& picture, const std::vector<double>& weights) const;
+  PatternFrame follow(const PatternFrame& frame, const SimilarityFit& fit) const;
   bool matches(const TrackedSamples& samples) const;
   void start(const TrackedSamples& samples, Picture picture);
-  void predict(Picture picture);
-  void commit();
   void settle();
+  Step predictStep(const Picture& picture) const;
+  void predict(Picture picture);
+  void measureResidual(const Picture& picture, const Step& step);
 
   TrackerOptions options;
   std::vector<std::int32_t> patches; // per sample
@@ -106,35 +110,14 @@ private:
   ViewProjection view;
   Picture base; // the committed state that the drawn step starts from
   Picture now;  // the frame drawn last
-  std::vector<PatternFrame> commitment; // frames of `now` with its own visibility; empty until known
-  std::vector<std::uint8_t> seen;       // per patch
+  std::vector<PatternFrame>
+    commitment;                   // frames of `now` with its own visibility; empty until known
+  std::vector<std::uint8_t> seen; // per patch
   std::vector<double> stepResidual;
   std::vector<FitStatus> stepStatus;
   bool started = false;
 };
 
-// A moment of a recorded path.
-struct TrackedScene
-{
-  TrackedSamples samples; // valid until the path is asked again
-  ViewProjection view;
-};
-using ScenePath = std::function<TrackedScene(double time)>;
-
-// Patterns as a pure function of the frame (mode Anchored without a path). Per patch: the origin is
-// the image of the patch's centroid; the size 1 pattern unit = (pixels per model unit at the centroid
-// times the diameter of the patch) / 512 pixels; the direction is that of the patch's principal axis
-// in the image, or of the second axis, turned by -90 degrees, where the first points at the camera.
-// Continuous in the camera except there. A patch behind the camera gets the unit frame.
-std::vector<PatternFrame> anchoredFrames(
-  const TrackedSamples& samples, const ViewProjection& view);
-
-// Patterns as a pure function of a path (mode Anchored with a path): tracked in fixed steps from the
-// last key at or before `time` (`time` itself when there is none), without visibility.
-// Throws std::invalid_argument on a step of 0 or less, times that are not finite, and no path.
-std::vector<PatternFrame> replayFrames(const ScenePath& path, Span<const double> keyTimes,
-  double time, double step, const TrackerOptions& options = TrackerOptions());
-
-}
+} // namespace hachure
 
 #endif

@@ -82,10 +82,11 @@ void checkPatches(const TrackedSamples& samples)
   }
 }
 
-// The projection, ready for many points. With rows x, y and w of the matrix from model to clip space,
-// the image gradients are (x - X w)/W and (y - Y w)/W at the point with normalised coordinates (X, Y).
-// Their cross product is, up to the factor 1/W^2, x cross y + X (y cross w) + Y (w cross x): it lies
-// along the line of sight, and its product with a normal is the image area of a unit of surface.
+// The projection, ready for many points. With rows x, y and w of the matrix from model to clip
+// space, the image gradients are (x - X w)/W and (y - Y w)/W at the point with normalised
+// coordinates (X, Y). Their cross product is, up to the factor 1/W^2, x cross y + X (y cross w) + Y
+// (w cross x): it lies along the line of sight, and its product with a normal is the image area of
+// a unit of surface.
 struct AreaProjection
 {
   glm::dmat4 modelToClip;
@@ -144,7 +145,7 @@ double facingWeight(double area, FacingRule facing)
   return area;
 }
 
-}
+} // namespace
 
 bool ViewProjection::operator==(const ViewProjection& other) const
 {
@@ -197,6 +198,7 @@ std::vector<ProjectedSample> projectSamples(
   checkSamples(samples);
   checkView(view);
   const AreaProjection project(view);
+  const double wholeImage = view.viewportSize.x * view.viewportSize.y;
   std::vector<ProjectedSample> projected(samples.positions.size());
   parallelFor(static_cast<std::int64_t>(projected.size()),
     [&](std::int64_t index)
@@ -206,10 +208,12 @@ std::vector<ProjectedSample> projectSamples(
         samples.patches.empty() ? 0 : static_cast<std::size_t>(samples.patches[i]);
       const double spacing = samples.patchSpacing[patch];
       ProjectedSample sample = project(samples.positions[i], samples.normals[i]);
-      sample.weight = quarterOfPi * spacing * spacing * facingWeight(sample.weight, facing);
+      const double area = quarterOfPi * spacing * spacing * facingWeight(sample.weight, facing);
+      // Next to the eye the tangent disc grows without bound; no sample fills more than the image.
+      sample.weight = std::isfinite(area) ? std::clamp(area, -wholeImage, wholeImage) : 0.0;
       projected[i] = sample;
     });
   return projected;
 }
 
-}
+} // namespace hachure

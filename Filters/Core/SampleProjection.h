@@ -32,22 +32,22 @@ struct ViewProjection
 struct TrackedSamples
 {
   Span<const glm::dvec3> positions;
-  Span<const glm::dvec3> normals;      // outward, of unit length; 0 = never faces the viewer
-  Span<const std::int32_t> patches;    // patch of each sample from 0 on; empty = all 0
-  Span<const double> patchSpacing;     // distance between samples, model units; index = patch
+  Span<const glm::dvec3> normals;   // outward, of unit length; 0 = never faces the viewer
+  Span<const std::int32_t> patches; // patch of each sample from 0 on; empty = all 0
+  Span<const double> patchSpacing;  // distance between samples, model units; index = patch
 };
 
 enum class FacingRule
 {
-  FrontOnly,  // max(0, n.v)
-  BothSides,  // |n.v|
-  Signed      // n.v: a negative weight for a surface seen from its inner side
+  FrontOnly, // max(0, n.v)
+  BothSides, // |n.v|
+  Signed     // n.v: a negative weight for a surface seen from its inner side
 };
 
-// The weight is the area, in square pixels, of the image of the disc that lies tangent to the surface
-// at the sample and has the sample spacing as its diameter (Breslav et al. 2007, section 3.1). It is 0
-// behind the camera and outside a frustum widened by `frustumMargin`. Where it is 0 the position may
-// be meaningless, but is finite.
+// The weight is the area, in square pixels, of the image of the disc that lies tangent to the
+// surface at the sample and has the sample spacing as its diameter (Breslav et al. 2007,
+// section 3.1). It is 0 behind the camera and outside a frustum widened by `frustumMargin`. Where
+// it is 0 the position may be meaningless, but is finite.
 struct ProjectedSample
 {
   glm::dvec2 position{ 0.0 };
@@ -69,6 +69,6 @@ std::size_t patchCount(const TrackedSamples& samples);
 void checkSamples(const TrackedSamples& samples);
 void checkView(const ViewProjection& view);
 
-}
+} // namespace hachure
 
 #endif

@@ -49,13 +49,13 @@ void checkPoint(std::size_t i, glm::dvec2 previous, glm::dvec2 current, double w
   }
   if (weight > 0.0 && !(isFinite(previous) && isFinite(current)))
   {
-    throw std::invalid_argument("fitSimilarity: " +
-      std::string(isFinite(previous) ? "current[" : "previous[") + std::to_string(i) +
-      "] is not finite");
+    throw std::invalid_argument(
+      "fitSimilarity: " + std::string(isFinite(previous) ? "current[" : "previous[") +
+      std::to_string(i) + "] is not finite");
   }
 }
 
-}
+} // namespace
 
 glm::dvec2 complexProduct(glm::dvec2 a, glm::dvec2 b)
 {
@@ -215,4 +215,4 @@ PatternFrame advance(const PatternFrame& frame, const Similarity& step)
     complexProduct(step.z, frame.v) };
 }
 
-}
+} // namespace hachure

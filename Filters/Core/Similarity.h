@@ -9,9 +9,9 @@
 
 #include <cstdint>
 
-// The 2D similarity transform (translation, rotation, uniform scale) that best maps weighted points p
-// of the previous frame to the points c of the current one: Breslav et al. 2007, section 3.2, after
-// Horn 1987. Points and vectors of the image are read as complex numbers x + iy, y up.
+// The 2D similarity transform (translation, rotation, uniform scale) that best maps weighted points
+// p of the previous frame to the points c of the current one: Breslav et al. 2007, section 3.2,
+// after Horn 1987. Points and vectors of the image are read as complex numbers x + iy, y up.
 namespace hachure
 {
 
@@ -40,8 +40,8 @@ enum class FitStatus : std::uint8_t
 const char* fitStatusName(FitStatus status);
 
 // All that the fit needs to know of the points. Moments of disjoint sets of points add up to the
-// moments of the union, as long as all of them are taken about the same pair of origins; origins near
-// the points keep the digits of small patches far from the corner of the image.
+// moments of the union, as long as all of them are taken about the same pair of origins; origins
+// near the points keep the digits of small patches far from the corner of the image.
 struct SimilarityMoments
 {
   glm::dvec2 previousOrigin{ 0.0 };
@@ -82,11 +82,11 @@ struct SimilarityFit
   double weight = 0.0;
   // sqrt(sum w |z p - c|^2 / sum w) in pixels, p and c about their centroids; from the moments.
   double rmsResidual = 0.0;
-  // sum w |z p - c| / sum w in pixels: how far the pattern slides in this step. It needs the points;
-  // 0 in a fit from moments alone.
+  // sum w |z p - c| / sum w in pixels: how far the pattern slides in this step. It needs the
+  // points; 0 in a fit from moments alone.
   double residual = 0.0;
-  // |sum w conj(p) c| / sqrt(sum w |p|^2 sum w |c|^2), in [0, 1]: 1 for a similarity, 0 for a mirror
-  // image. 1 where no rotation is fitted.
+  // |sum w conj(p) c| / sqrt(sum w |p|^2 sum w |c|^2), in [0, 1]: 1 for a similarity, 0 for a
+  // mirror image. 1 where no rotation is fitted.
   double correlation = 1.0;
   FitStatus status = FitStatus::NoSamples;
 };
@@ -96,15 +96,17 @@ struct SimilarityFit
 SimilarityFit fitSimilarity(const SimilarityMoments& moments);
 
 // The same from points, with the residual. Throws std::invalid_argument on different sizes, on
-// positions or weights that are not finite and on negative weights. Points of weight 0 are not read.
+// positions or weights that are not finite and on negative weights. Points of weight 0 are not
+// read.
 SimilarityFit fitSimilarity(
   Span<const glm::dvec2> previous, Span<const glm::dvec2> current, Span<const double> weights);
 
 // |z p - c| of one point, p and c about the centroids of the fit.
 double residualLength(const Similarity& transform, glm::dvec2 previous, glm::dvec2 current);
 
-// Where a pattern lies in the image: `origin` is the point of pattern coordinates (0, 0), u and v are
-// the image vectors of (1, 0) and (0, 1); logical pixels, y up (Breslav et al. 2007, section 3.3).
+// Where a pattern lies in the image: `origin` is the point of pattern coordinates (0, 0), u and v
+// are the image vectors of (1, 0) and (0, 1); logical pixels, y up (Breslav et al. 2007,
+// section 3.3).
 struct PatternFrame
 {
   glm::dvec2 origin{ 0.0, 0.0 };
@@ -120,6 +122,6 @@ PatternFrame advance(const PatternFrame& frame, const Similarity& step);
 
 glm::dvec2 complexProduct(glm::dvec2 a, glm::dvec2 b);
 
-}
+} // namespace hachure
 
 #endif

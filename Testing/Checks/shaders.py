@@ -1,0 +1,103 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Hachure contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""shaders.py FOLDER [DUMPS]: glslangValidator accepts every shader text below FOLDER.
+
+Kernels are validated at three GLSL versions, alone with the ones before them and all together. Complete
+fragment shaders (*FS.glsl) get the pieces named by their tags put in, with one layer of every kind.
+DUMPS: a folder of whole programs as they were drawn (*.vert, *.frag), validated too when it is there.
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+KERNEL_VERSIONS = (150, 330, 460)
+GLUE_VERSION = 150
+
+
+def read(path):
+    with open(path, encoding="ascii") as file:
+        return file.read()
+
+
+def validate(name, text, stage="frag"):
+    """Prints what is wrong with this text and returns whether it is right."""
+    with tempfile.NamedTemporaryFile("w", suffix="." + stage, delete=False) as file:
+        file.write(text)
+    result = subprocess.run(
+        ["glslangValidator", file.name], capture_output=True, text=True, check=False
+    )
+    os.unlink(file.name)
+    if result.returncode != 0:
+        print(name + ":\n" + result.stdout.replace(file.name, name) + result.stderr)
+    return result.returncode == 0
+
+
+def kernel_order(root):
+    """Kernels in the order in which they are compiled into C++, files missing there at the end."""
+    folder = os.path.join(root, "Filters/Core/Kernels")
+    header = os.path.join(root, "Filters/Core/Kernels.h")
+    present = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
+    order = re.findall(r'"Kernels/(\w+\.glsl)"', read(header)) if os.path.exists(header) else []
+    order = [name for name in order if name in present]
+    order += [name for name in present if name.endswith(".glsl") and name not in order]
+    return [os.path.join(folder, name) for name in order]
+
+
+def glue_pieces(root):
+    """Every shader text of Rendering by its name."""
+    pieces = {}
+    for folder, _, names in os.walk(os.path.join(root, "Rendering")):
+        for name in names:
+            if name.endswith(".glsl"):
+                pieces[name[: -len(".glsl")]] = read(os.path.join(folder, name))
+    return pieces
+
+
+def assemble(text, kernels, pieces):
+    """A whole fragment shader: pieces for tags, VTK's outputs for gl_FragData."""
+    layers = [
+        piece.replace("@", str(number))
+        for number, (name, piece) in enumerate(sorted(pieces.items()))
+        if name.endswith("Layer")
+    ]
+    for name, piece in pieces.items():
+        if name.startswith("Pattern"):
+            tag = "//Hachure::" + name[len("Pattern"):] + "::Dec"
+            text = text.replace(tag, (kernels if name == "PatternCompose" else "") + piece)
+    text = text.replace("//Hachure::Layers::Dec", "\n".join(layers))
+    text = text.replace("//VTK::System::Dec", "#version %d" % GLUE_VERSION)
+    outputs = sorted(set(re.findall(r"gl_FragData\[(\d)\]", text)))
+    declared = "\n".join("out vec4 fragOutput%s;" % output for output in outputs)
+    text = text.replace("//VTK::Output::Dec", declared)
+    return re.sub(r"gl_FragData\[(\d)\]", r"fragOutput\1", text)
+
+
+def main(root, dumps):
+    good = True
+    paths = kernel_order(root)
+    texts = [read(path) for path in paths]
+    main_function = "\nvoid main()\n{\n}\n"
+    for version in KERNEL_VERSIONS:
+        head = "#version %d\n" % version
+        for count, path in enumerate(paths, start=1):
+            good &= validate(
+                "%s at %d" % (path, version), head + "\n".join(texts[:count]) + main_function
+            )
+    pieces = glue_pieces(root)
+    for name, text in pieces.items():
+        if name.endswith("FS"):
+            good &= validate(name + ".glsl", assemble(text, "\n".join(texts), pieces))
+    if dumps and os.path.isdir(dumps):
+        for name in sorted(os.listdir(dumps)):
+            stage = name.rsplit(".", 1)[-1]
+            if stage in ("vert", "frag", "geom"):
+                good &= validate(name, read(os.path.join(dumps, name)), stage)
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else None))

@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Scene.h"
+
+#include "ErrorCollector.h"
+#include "UserError.h"
+
+#include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkPatternLayer.h>
+#include <vtkPatternMapper.h>
+#include <vtkPatternStyle.h>
+#include <vtkPatternTone.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+
+namespace hachure::program
+{
+namespace
+{
+/// Strength and place of the fill relative to the key light: shade stays readable, form is kept.
+constexpr double FillIntensity = 0.25;
+constexpr double FillElevation = -10.0;
+/// Enough to fit a view to within a pixel or two.
+constexpr std::size_t LargestFitSet = 20000;
+constexpr int FitAzimuths = 36;
+
+std::string joined(const std::vector<std::string>& names)
+{
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
+bool isFileName(const std::string& style)
+{
+  return style.find('/') != std::string::npos ||
+    (style.size() > 5 && style.compare(style.size() - 5, 5, ".json") == 0);
+}
+
+bool isFinite(const glm::dvec3& point)
+{
+  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+/// A regular selection of the surface's points.
+std::vector<glm::dvec3> fitPoints(vtkDataObject* surface)
+{
+  const auto leaves = surfaceLeaves(surface);
+  vtkIdType count = 0;
+  for (vtkPolyData* leaf : leaves)
+  {
+    count += leaf->GetNumberOfPoints();
+  }
+  const vtkIdType stride = 1 + count / static_cast<vtkIdType>(LargestFitSet);
+  std::vector<glm::dvec3> points;
+  for (vtkPolyData* leaf : leaves)
+  {
+    for (vtkIdType i = 0; i < leaf->GetNumberOfPoints(); i += stride)
+    {
+      glm::dvec3 point;
+      leaf->GetPoint(i, &point.x);
+      if (isFinite(point))
+      {
+        points.push_back(point);
+      }
+    }
+  }
+  return points;
+}
+
+void toneFollowsArray(
+  vtkPatternStyle* style, const std::string& name, const std::array<double, 2>& range)
+{
+  for (int i = 0; i < style->GetNumberOfLayers(); ++i)
+  {
+    vtkPatternTone* tone = style->GetLayer(i)->GetTone();
+    tone->SetSource(vtkPatternTone::ARRAY);
+    tone->SetArrayName(name.c_str());
+    tone->SetComponent(-1);
+    tone->SetRange(range[0], range[1]);
+  }
+}
+} // namespace
+
+//----------------------------------------------------------------------------
+std::vector<CameraLight> keyAndFill(const std::array<double, 2>& direction)
+{
+  CameraLight key;
+  key.azimuth = direction[0];
+  key.elevation = direction[1];
+  CameraLight fill;
+  fill.azimuth = -direction[0];
+  fill.elevation = FillElevation;
+  fill.intensity = FillIntensity;
+  return { key, fill };
+}
+
+//----------------------------------------------------------------------------
+std::vector<std::string> styleNames()
+{
+  std::vector<std::string> names;
+  for (int i = 0; i < vtkPatternStyle::GetNumberOfPresets(); ++i)
+  {
+    names.emplace_back(vtkPatternStyle::GetPresetName(i));
+  }
+  return names;
+}
+
+//----------------------------------------------------------------------------
+Scene::Scene(const RenderOptions& options)
+  : pictureWidth(options.size[0] * options.supersample)
+  , pictureHeight(options.size[1] * options.supersample)
+{
+  this->makeStyle(options);
+  this->makeSurface(options);
+  this->fitView(options);
+  this->renderer->SetBackground(1.0, 1.0, 1.0);
+  this->renderer->AutomaticLightCreationOff();
+  this->renderer->AddActor(this->actor);
+  this->setLights(keyAndFill(options.light));
+  this->setView({});
+}
+
+//----------------------------------------------------------------------------
+Scene::~Scene() = default;
+
+//----------------------------------------------------------------------------
+vtkCamera* Scene::camera() const
+{
+  return this->renderer->GetActiveCamera();
+}
+
+//----------------------------------------------------------------------------
+void Scene::makeStyle(const RenderOptions& options)
+{
+  const ErrorCollector errors;
+  this->patternStyle = vtkSmartPointer<vtkPatternStyle>::New();
+  if (isFileName(options.style))
+  {
+    if (!this->patternStyle->LoadFile(options.style.c_str()))
+    {
+      throw UserError("cannot use style file '" + options.style + "': " + errors.first());
+    }
+  }
+  else
+  {
+    const auto names = styleNames();
+    if (std::find(names.begin(), names.end(), options.style) == names.end())
+    {
+      throw UserError("unknown style '" + options.style + "'; known: " + joined(names));
+    }
+    if (!this->patternStyle->LoadPreset(options.style.c_str()))
+    {
+      throw std::runtime_error("style '" + options.style + "' is broken: " + errors.first());
+    }
+  }
+  this->patternStyle->SetPixelScale(options.supersample);
+}
+
+//----------------------------------------------------------------------------
+void Scene::makeSurface(const RenderOptions& options)
+{
+  this->surface = readSurface(options.input, options.isovalue);
+  if (!options.array.empty())
+  {
+    const auto range = finiteArrayRange(this->surface.data, options.array);
+    toneFollowsArray(this->patternStyle, options.array, range);
+  }
+  vtkNew<vtkPatternMapper> mapper;
+  mapper->SetInputDataObject(this->surface.data);
+  mapper->SetStyle(this->patternStyle);
+  mapper->ScalarVisibilityOff();
+  this->actor->SetMapper(mapper);
+  this->actor->GetProperty()->SetAmbient(0.0);
+  this->actor->GetProperty()->SetDiffuse(1.0);
+  this->actor->GetProperty()->SetSpecular(0.0);
+}
+
+//----------------------------------------------------------------------------
+void Scene::fitView(const RenderOptions& options)
+{
+  const std::string up = options.up.empty() ? this->surface.up : options.up;
+  const std::string front = options.front.empty() ? this->surface.front : options.front;
+  this->turntable = makeTurntable(up, front);
+  const auto points = fitPoints(this->surface.data);
+  if (points.empty())
+  {
+    throw UserError("'" + options.input + "' has no point with finite coordinates");
+  }
+  const TurntableView standard;
+  std::vector<double> azimuths = { standard.azimuth };
+  if (options.orbit > 1 || !options.animation.empty())
+  {
+    azimuths.clear();
+    for (int i = 0; i < FitAzimuths; ++i)
+    {
+      azimuths.push_back(standard.azimuth + 360.0 * i / FitAzimuths);
+    }
+  }
+  const double aspect = static_cast<double>(this->pictureWidth) / this->pictureHeight;
+  fitTurntable(this->turntable, points, azimuths, standard.elevation, aspect);
+}
+
+//----------------------------------------------------------------------------
+void Scene::setView(const TurntableView& view)
+{
+  placeCamera(this->camera(), this->turntable, view);
+}
+
+//----------------------------------------------------------------------------
+void Scene::setLights(const std::vector<CameraLight>& lights)
+{
+  this->renderer->RemoveAllLights();
+  for (const CameraLight& one : lights)
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetDirectionAngle(one.elevation, one.azimuth);
+    light->SetIntensity(std::max(0.0, one.intensity));
+    light->SetColor(one.color);
+    this->renderer->AddLight(light);
+  }
+}
+
+//----------------------------------------------------------------------------
+void Scene::openWindow()
+{
+  if (!std::getenv("DISPLAY"))
+  {
+    throw UserError("no display to draw with: set DISPLAY, or start under xvfb-run");
+  }
+  this->window = vtkSmartPointer<vtkRenderWindow>::New();
+  this->window->SetShowWindow(false);
+  this->window->SetUseOffScreenBuffers(true);
+  this->window->SetMultiSamples(0);
+  this->window->SetSize(this->pictureWidth, this->pictureHeight);
+  this->window->AddRenderer(this->renderer);
+}
+
+//----------------------------------------------------------------------------
+Picture Scene::draw()
+{
+  const ErrorCollector errors;
+  if (!this->window)
+  {
+    this->openWindow();
+  }
+  this->renderer->ResetCameraClippingRange();
+  this->window->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  const int right = this->pictureWidth - 1;
+  const int top = this->pictureHeight - 1;
+  this->window->GetPixelData(0, 0, right, top, 0, pixels);
+  if (!errors.first().empty())
+  {
+    throw std::runtime_error("drawing failed: " + errors.first());
+  }
+  const auto* begin = pixels->GetPointer(0);
+  return { this->pictureWidth, this->pictureHeight,
+    std::vector<std::uint8_t>(begin, begin + pixels->GetNumberOfValues()) };
+}
+} // namespace hachure::program

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// What is drawn: one window, one surface in a style, camera lights, white paper.
+
+#ifndef Scene_h
+#define Scene_h
+
+#include "LinearImage.h"
+#include "RenderOptions.h"
+#include "SurfaceInput.h"
+#include "ViewFit.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPatternStyle.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+namespace hachure::program
+{
+/// A light that moves with the viewer.
+struct CameraLight
+{
+  double azimuth = 0.0;   ///< degrees right of the viewer
+  double elevation = 0.0; ///< degrees above
+  double intensity = 1.0; ///< 0 or more
+  double color[3] = { 1.0, 1.0, 1.0 };
+};
+
+class Scene
+{
+public:
+  /// Reads style and surface and checks the array. Throws UserError. Opens no window.
+  explicit Scene(const RenderOptions& options);
+  ~Scene();
+
+  vtkPatternStyle* style() const { return this->patternStyle; }
+  vtkActor* surfaceActor() const { return this->actor; }
+  vtkCamera* camera() const;
+
+  void setView(const TurntableView& view);
+  void setLights(const std::vector<CameraLight>& lights);
+
+  /// Draws and reads the picture back, the supersampling factor larger than the output.
+  Picture draw();
+
+private:
+  void makeStyle(const RenderOptions& options);
+  void makeSurface(const RenderOptions& options);
+  void fitView(const RenderOptions& options);
+  void openWindow();
+
+  int pictureWidth;
+  int pictureHeight;
+  Surface surface;
+  Turntable turntable;
+  vtkSmartPointer<vtkPatternStyle> patternStyle;
+  vtkNew<vtkActor> actor;
+  vtkNew<vtkRenderer> renderer;
+  vtkSmartPointer<vtkRenderWindow> window;
+};
+
+/// The default lighting: a key light from the given direction and a weak fill opposite.
+std::vector<CameraLight> keyAndFill(const std::array<double, 2>& direction);
+
+/// Names of all styles, in their stable order.
+std::vector<std::string> styleNames();
+} // namespace hachure::program
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hachure_SurfaceTriangles_h
+#define hachure_SurfaceTriangles_h
+
+#include "Core/TriangleMesh.h"
+
+#include <vtkType.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+
+namespace hachure
+{
+/// Where the patch id of a triangle comes from.
+struct PatchSource
+{
+  std::string cellArray; ///< cell array of integers with one component; empty: all in patch 0
+  bool byBlock = false;  ///< the flat index of the block instead; the array is then not read
+};
+
+/// All triangles of a vtkPolyData, or of all vtkPolyData blocks of a composite one after the other.
+/// Polygons (concave ones too) and strips are cut into triangles; vertices, lines, ghost and hidden
+/// cells, triangles without area and those with a non-finite corner are left out.
+struct SurfaceTriangles
+{
+  struct Block
+  {
+    unsigned int flatIndex = 0;     ///< 0 for a plain vtkPolyData
+    std::int32_t firstPoint = 0;    ///< the block's point i is points[firstPoint + i]
+    std::int32_t firstTriangle = 0; ///< its triangles start here, and end where the next starts
+  };
+
+  std::vector<glm::dvec3> points; ///< all input points, in order
+  std::vector<glm::ivec3> triangles;
+  std::vector<std::int32_t> patches;      ///< per triangle; empty without a patch source
+  std::vector<vtkIdType> cells;           ///< per triangle: input cell within its block
+  std::vector<std::int32_t> blockIndices; ///< per triangle: index into blocks
+  std::vector<Block> blocks;
+  std::int64_t nonFinitePoints = 0; ///< input points with an infinite or NaN coordinate
+
+  TriangleMesh mesh() const { return { this->points, this->triangles, this->patches }; }
+  /// The triangles of one block alone; the corners still index all points.
+  TriangleMesh blockMesh(std::size_t block) const;
+};
+
+/// Throws std::invalid_argument, with a message for the user, when the patch array is missing or is
+/// not one integer per cell, when a cell refers to a point that does not exist, and when a block is
+/// not a vtkPolyData. A null input gives no triangles.
+SurfaceTriangles extractSurfaceTriangles(vtkDataObject* input, const PatchSource& source = {});
+} // namespace hachure
+
+#endif

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatternImageFile.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkImageReader2.h"
 #include "vtkImageReader2Factory.h"
+#include "vtkNew.h"
+#include "vtkPNGReader.h"
 #include "vtkPointData.h"
 
+#include "vtksys/FStream.hxx"
 #include "vtksys/SystemTools.hxx"
 
 #include <stdexcept>
@@ -16,6 +20,27 @@ namespace
 [[noreturn]] void fail(const std::string& fileName, const std::string& reason)
 {
   throw std::runtime_error("cannot read the image \"" + fileName + "\": " + reason);
+}
+
+/** Finds the reader for a file. While VTK tries its readers one by one they may warn that a file
+ * of another format is not theirs; that says nothing about the file. */
+vtkSmartPointer<vtkImageReader2> findReader(const std::string& fileName)
+{
+  const int shown = vtkObject::GetGlobalWarningDisplay();
+  vtkObject::GlobalWarningDisplayOff();
+  vtkImageReader2* reader = vtkImageReader2Factory::CreateImageReader2(fileName.c_str());
+  vtkObject::SetGlobalWarningDisplay(shown);
+  return vtkSmartPointer<vtkImageReader2>::Take(reader);
+}
+
+/** VTK's PNG reader crashes on a file that was cut off, so look for the chunk that ends it. */
+bool isCutOff(const std::string& fileName)
+{
+  const std::string ending = "IEND\xae\x42\x60\x82";
+  std::string found(ending.size(), ' ');
+  vtksys::ifstream file(fileName.c_str(), std::ios::in | std::ios::binary);
+  file.seekg(-static_cast<std::streamoff>(ending.size()), std::ios::end);
+  return !file.read(&found[0], static_cast<std::streamsize>(found.size())) || found != ending;
 }
 
 } // namespace
@@ -29,17 +54,25 @@ vtkSmartPointer<vtkImageData> readPatternImage(const std::string& fileName)
   {
     fail(fileName, "no such file");
   }
-  const auto reader = vtkSmartPointer<vtkImageReader2>::Take(
-    vtkImageReader2Factory::CreateImageReader2(fileName.c_str()));
+  const vtkSmartPointer<vtkImageReader2> reader = findReader(fileName);
   if (!reader)
   {
     fail(fileName, "not a picture format that VTK knows");
   }
+  if (vtkPNGReader::SafeDownCast(reader) && isCutOff(fileName))
+  {
+    fail(fileName, "the file is damaged");
+  }
+  bool failed = false;
+  vtkNew<vtkCallbackCommand> onError;
+  onError->SetClientData(&failed);
+  onError->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { *static_cast<bool*>(data) = true; });
+  reader->AddObserver(vtkCommand::ErrorEvent, onError);
   reader->SetFileName(fileName.c_str());
   reader->Update();
   vtkSmartPointer<vtkImageData> image = reader->GetOutput();
-  if (reader->GetErrorCode() != 0 || !image->GetPointData()->GetScalars() ||
-    image->GetNumberOfPoints() == 0)
+  if (failed || reader->GetErrorCode() != 0 || !image->GetPointData()->GetScalars())
   {
     fail(fileName, "the file is damaged");
   }

@@ -35,20 +35,6 @@ bool isOutside(glm::dvec2 position, glm::dvec2 size)
   return position.x < 0.0 || position.y < 0.0 || position.x > size.x || position.y > size.y;
 }
 
-double commonWeight(WeightScheme scheme, double previous, double current)
-{
-  switch (scheme)
-  {
-    case WeightScheme::Symmetric:
-      return std::sqrt(previous * current);
-    case WeightScheme::Classic:
-      return previous > 0.0 ? current : 0.0;
-    case WeightScheme::Unweighted:
-      break;
-  }
-  return previous * current; // each is 0 or 1
-}
-
 std::vector<std::int32_t> patchPerSample(const TrackedSamples& samples)
 {
   if (samples.patches.empty())
@@ -56,42 +42,6 @@ std::vector<std::int32_t> patchPerSample(const TrackedSamples& samples)
     return std::vector<std::int32_t>(samples.positions.size(), 0);
   }
   return { samples.patches.begin(), samples.patches.end() };
-}
-
-// Upright frames of scale 1 at the weighted centroids of the patches' front sides, or of the whole
-// patches where no front is in sight. `weight` receives the weight of the front sides.
-std::vector<PatternFrame> anchorFrames(const std::vector<ProjectedSample>& samples,
-  const std::vector<std::int32_t>& patches, std::size_t patchTotal, std::vector<double>& weight)
-{
-  std::vector<PatternFrame> frames(patchTotal);
-  std::vector<glm::dvec2> front(patchTotal, glm::dvec2(0.0));
-  std::vector<glm::dvec2> both(patchTotal, glm::dvec2(0.0));
-  std::vector<double> weightOfBoth(patchTotal, 0.0);
-  weight.assign(patchTotal, 0.0);
-  for (std::size_t i = 0; i < samples.size(); ++i)
-  {
-    const auto patch = static_cast<std::size_t>(patches[i]);
-    const double area = std::abs(samples[i].weight);
-    both[patch] += area * samples[i].position;
-    weightOfBoth[patch] += area;
-    if (samples[i].weight > 0.0)
-    {
-      front[patch] += area * samples[i].position;
-      weight[patch] += area;
-    }
-  }
-  for (std::size_t patch = 0; patch < patchTotal; ++patch)
-  {
-    if (weight[patch] > 0.0)
-    {
-      frames[patch].origin = front[patch] / weight[patch];
-    }
-    else if (weightOfBoth[patch] > 0.0)
-    {
-      frames[patch].origin = both[patch] / weightOfBoth[patch];
-    }
-  }
-  return frames;
 }
 
 void checkFraction(const char* name, double value)
@@ -133,73 +83,75 @@ bool PatternTracker::matches(const TrackedSamples& samples) const
 std::vector<double> PatternTracker::weights(
   const Picture& picture, const std::vector<std::uint8_t>& visibility) const
 {
+  std::vector<double> result = facingWeights(picture.samples, this->options.scheme);
   const bool unweighted = this->options.scheme == WeightScheme::Unweighted;
-  std::vector<double> result(picture.samples.size());
-  for (std::size_t i = 0; i < result.size(); ++i)
+  for (std::size_t i = 0; i < visibility.size(); ++i)
   {
     const ProjectedSample& sample = picture.samples[i];
-    if (visibility.empty() || isOutside(sample.position, picture.viewportSize))
+    if (isOutside(sample.position, picture.viewportSize))
     {
-      result[i] = std::max(0.0, sample.weight);
+      continue;
     }
-    else if (unweighted)
+    if (unweighted)
     {
-      result[i] = visibility[i] >= halfVisible ? std::abs(sample.weight) : 0.0;
+      result[i] = visibility[i] >= halfVisible && sample.weight != 0.0 ? 1.0 : 0.0;
     }
     else
     {
       result[i] = std::abs(sample.weight) * visibility[i] / fullVisibility;
     }
-    if (unweighted && result[i] > 0.0)
-    {
-      result[i] = 1.0;
-    }
   }
   return result;
 }
 
-PatternTracker::Step PatternTracker::fitStep(const Picture& previous,
-  const std::vector<double>& previousWeights, const Picture& current,
-  const std::vector<double>& currentWeights) const
+// A patch hidden in one of the frames waits; one seen in both frames must have moved as one.
+bool PatternTracker::isCut(const PatchFits& fits, std::size_t patch, double diagonal) const
 {
-  std::vector<SimilarityMoments> moments(this->patchTotal);
-  std::vector<glm::dvec2> totals(this->patchTotal, glm::dvec2(0.0));
+  const SimilarityFit& fit = fits.fits[patch];
+  const double smaller = std::min(fits.previousWeights[patch], fits.currentWeights[patch]);
+  return smaller > 0.0 &&
+    (fit.weight < this->options.minimumCommonWeight * smaller ||
+      fit.correlation < this->options.minimumCorrelation ||
+      glm::length(fit.transform.to - fit.transform.from) >
+        this->options.maximumDisplacement * diagonal);
+}
+
+PatternTracker::Step PatternTracker::fitStep(const Picture& previous,
+  const std::vector<std::uint8_t>& previousVisibility, const Picture& current,
+  const std::vector<std::uint8_t>& currentVisibility) const
+{
+  const std::vector<double> previousWeights = this->weights(previous, previousVisibility);
+  const std::vector<double> currentWeights = this->weights(current, currentVisibility);
   Step step;
-  step.weights.resize(currentWeights.size());
-  for (std::size_t i = 0; i < currentWeights.size(); ++i)
-  {
-    const double w = commonWeight(this->options.scheme, previousWeights[i], currentWeights[i]);
-    const auto patch = static_cast<std::size_t>(this->patches[i]);
-    step.weights[i] = w;
-    totals[patch] += glm::dvec2(previousWeights[i], currentWeights[i]);
-    if (w > 0.0)
-    {
-      SimilarityMoments& sum = moments[patch];
-      if (sum.weight == 0.0)
-      {
-        sum.previousOrigin = previous.samples[i].position;
-        sum.currentOrigin = current.samples[i].position;
-      }
-      sum.add(w, previous.samples[i].position, current.samples[i].position);
-    }
-  }
+  step.patches = fitPatches({ previous.samples, previousWeights },
+    { current.samples, currentWeights }, this->patches, this->patchTotal, this->options.scheme);
   const double diagonal =
     std::max(glm::length(previous.viewportSize), glm::length(current.viewportSize));
   for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
   {
-    const SimilarityFit fit = fitSimilarity(moments[patch]);
-    // A patch hidden in one of the frames waits; one seen in both frames must have common samples.
-    const double smaller = std::min(totals[patch].x, totals[patch].y);
-    const bool cut = smaller > 0.0 &&
-      (fit.weight < this->options.minimumCommonWeight * smaller ||
-        fit.correlation < this->options.minimumCorrelation ||
-        glm::length(fit.transform.to - fit.transform.from) >
-          this->options.maximumDisplacement * diagonal);
-    step.weak = step.weak || cut || fit.weight < weakCommonWeight * smaller;
-    step.cut.push_back(cut ? 1 : 0);
-    step.fits.push_back(fit);
+    const double smaller =
+      std::min(step.patches.previousWeights[patch], step.patches.currentWeights[patch]);
+    step.cut.push_back(this->isCut(step.patches, patch, diagonal) ? 1 : 0);
+    step.weak = step.weak || step.cut.back() != 0 ||
+      step.patches.fits[patch].weight < weakCommonWeight * smaller;
   }
   return step;
+}
+
+// The frames of the previous picture moved by the step, and anchored anew at a cut.
+std::vector<PatternFrame> PatternTracker::framesAfter(
+  const Picture& previous, const Picture& current, const Step& step) const
+{
+  std::vector<PatternFrame> frames =
+    anchorPatterns(current.samples, this->patches, this->patchTotal).frames;
+  for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
+  {
+    if (step.cut[patch] == 0)
+    {
+      frames[patch] = this->follow(previous.frames[patch], step.patches.fits[patch]);
+    }
+  }
+  return frames;
 }
 
 PatternFrame PatternTracker::follow(const PatternFrame& frame, const SimilarityFit& fit) const
@@ -224,20 +176,25 @@ void PatternTracker::start(const TrackedSamples& samples, Picture picture)
 {
   this->patches = patchPerSample(samples);
   this->patchTotal = std::max(patchCount(samples), samples.patchSpacing.size());
-  std::vector<double> weight;
-  picture.frames = anchorFrames(picture.samples, this->patches, this->patchTotal, weight);
+  PatternAnchors anchors = anchorPatterns(picture.samples, this->patches, this->patchTotal);
+  picture.frames = std::move(anchors.frames);
   picture.anchored.assign(this->patchTotal, 1);
   this->seen.assign(this->patchTotal, 0);
-  for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
-  {
-    this->seen[patch] = weight[patch] > 0.0 ? 1 : 0;
-  }
+  this->markSeen(anchors.frontWeights);
   this->stepResidual.assign(this->patchTotal, 0.0);
   this->stepStatus.assign(this->patchTotal, FitStatus::NoSamples);
   this->commitment.clear();
   this->now = std::move(picture);
   this->base = this->now;
   this->started = true;
+}
+
+void PatternTracker::markSeen(const std::vector<double>& frontWeights)
+{
+  for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
+  {
+    this->seen[patch] = this->seen[patch] != 0 || frontWeights[patch] > 0.0 ? 1 : 0;
+  }
 }
 
 // Makes the drawn frame the start of the next step, if its own weights are known. Before the first
@@ -256,60 +213,41 @@ void PatternTracker::settle()
   }
 }
 
-PatternTracker::Step PatternTracker::predictStep(const Picture& picture) const
-{
-  const std::vector<std::uint8_t>& known = this->base.visibility;
-  return this->fitStep(
-    this->base, this->weights(this->base, known), picture, this->weights(picture, known));
-}
-
 void PatternTracker::predict(Picture picture)
 {
-  Step step = this->predictStep(picture);
+  const std::vector<std::uint8_t> known = this->base.visibility;
+  Step step = this->fitStep(this->base, known, picture, known);
   if (step.weak && !this->now.samples.empty())
   {
     // The drawn frame was never measured: give up on its own weights rather than on the surface.
-    std::vector<std::uint8_t> known = std::move(this->base.visibility);
     this->base = std::move(this->now);
-    this->base.visibility = std::move(known);
-    step = this->predictStep(picture);
+    this->base.visibility = known;
+    step = this->fitStep(this->base, known, picture, known);
   }
-  std::vector<double> weight;
-  picture.frames = anchorFrames(picture.samples, this->patches, this->patchTotal, weight);
-  picture.anchored.assign(this->patchTotal, 1);
+  const PatternAnchors anchors = anchorPatterns(picture.samples, this->patches, this->patchTotal);
+  picture.frames = this->framesAfter(this->base, picture, step);
+  picture.anchored = step.cut;
   for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
   {
-    if (this->seen[patch] != 0 && step.cut[patch] == 0)
+    if (this->seen[patch] == 0)
     {
-      picture.frames[patch] = this->follow(this->base.frames[patch], step.fits[patch]);
-      picture.anchored[patch] = 0;
-    }
-    if (weight[patch] > 0.0)
-    {
-      this->seen[patch] = 1;
+      picture.frames[patch] = anchors.frames[patch];
+      picture.anchored[patch] = 1;
     }
   }
-  this->measureResidual(picture, step);
+  this->markSeen(anchors.frontWeights);
+  this->measureStep(picture, step);
   this->now = std::move(picture);
 }
 
-void PatternTracker::measureResidual(const Picture& picture, const Step& step)
+void PatternTracker::measureStep(const Picture& picture, Step& step)
 {
-  this->stepResidual.assign(this->patchTotal, 0.0);
-  this->stepStatus.resize(this->patchTotal);
-  for (std::size_t i = 0; i < step.weights.size(); ++i)
-  {
-    const auto patch = static_cast<std::size_t>(this->patches[i]);
-    if (step.weights[i] > 0.0)
-    {
-      this->stepResidual[patch] += step.weights[i] / step.fits[patch].weight *
-        residualLength(
-          step.fits[patch].transform, this->base.samples[i].position, picture.samples[i].position);
-    }
-  }
+  measureResiduals(
+    step.patches, { this->base.samples, {} }, { picture.samples, {} }, this->patches);
   for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
   {
-    this->stepStatus[patch] = step.fits[patch].status;
+    this->stepResidual[patch] = step.patches.fits[patch].residual;
+    this->stepStatus[patch] = step.patches.fits[patch].status;
   }
 }
 
@@ -345,19 +283,14 @@ void PatternTracker::setVisibility(Span<const std::uint8_t> visibility)
       ", the samples of the last advance");
   }
   this->now.visibility.assign(visibility.begin(), visibility.end());
-  this->commitment = this->now.frames;
-  const Step step = this->fitStep(this->base, this->weights(this->base, this->base.visibility),
-    this->now, this->weights(this->now, this->now.visibility));
-  std::vector<double> weight;
-  const std::vector<PatternFrame> anchors =
-    anchorFrames(this->now.samples, this->patches, this->patchTotal, weight);
+  const Step step =
+    this->fitStep(this->base, this->base.visibility, this->now, this->now.visibility);
+  this->commitment = this->framesAfter(this->base, this->now, step);
   for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
   {
-    if (this->now.anchored[patch] == 0)
+    if (this->now.anchored[patch] != 0)
     {
-      this->commitment[patch] = step.cut[patch] != 0
-        ? anchors[patch]
-        : this->follow(this->base.frames[patch], step.fits[patch]);
+      this->commitment[patch] = this->now.frames[patch];
     }
   }
 }
@@ -385,21 +318,13 @@ std::vector<PatternFrame> PatternTracker::previewFromDrawn(
   Picture picture;
   picture.samples = projectSamples(samples, otherView, FacingRule::Signed);
   picture.viewportSize = otherView.viewportSize;
+  if (otherView == this->view && equalSamples(picture.samples, this->now.samples))
+  {
+    return this->now.frames;
+  }
   const std::vector<std::uint8_t>& known =
     this->now.visibility.empty() ? this->base.visibility : this->now.visibility;
-  const Step step = this->fitStep(
-    this->now, this->weights(this->now, known), picture, this->weights(picture, known));
-  std::vector<double> weight;
-  std::vector<PatternFrame> frames =
-    anchorFrames(picture.samples, this->patches, this->patchTotal, weight);
-  for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
-  {
-    if (step.cut[patch] == 0)
-    {
-      frames[patch] = this->follow(this->now.frames[patch], step.fits[patch]);
-    }
-  }
-  return frames;
+  return this->framesAfter(this->now, picture, this->fitStep(this->now, known, picture, known));
 }
 
 } // namespace hachure

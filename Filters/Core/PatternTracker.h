@@ -3,6 +3,7 @@
 #ifndef hachure_PatternTracker_h
 #define hachure_PatternTracker_h
 
+#include "PatchFit.h"
 #include "SampleProjection.h"
 #include "Similarity.h"
 #include "Span.h"
@@ -21,13 +22,6 @@
 // is symmetric, a movement there and back returns the pattern exactly.
 namespace hachure
 {
-
-enum class WeightScheme : std::uint8_t
-{
-  Symmetric, // geometric mean of both frames' weights (default)
-  Classic,   // the paper's: the current frame's weight, 0 where the previous one was 0
-  Unweighted // 1 where visible in both frames, 0 elsewhere
-};
 
 struct TrackerOptions
 {
@@ -86,23 +80,25 @@ private:
   };
   struct Step
   {
-    std::vector<double> weights;     // per sample, common to both frames
-    std::vector<SimilarityFit> fits; // per patch
-    std::vector<std::uint8_t> cut;   // per patch
-    bool weak = false;               // some patch has lost half of its common weight
+    PatchFits patches;
+    std::vector<std::uint8_t> cut; // per patch
+    bool weak = false;             // some patch has lost half of its common weight
   };
 
   std::vector<double> weights(
     const Picture& picture, const std::vector<std::uint8_t>& visibility) const;
-  Step fitStep(const Picture& previous, const std::vector<double>& previousWeights,
-    const Picture& current, const std::vector<double>& currentWeights) const;
+  bool isCut(const PatchFits& fits, std::size_t patch, double diagonal) const;
+  Step fitStep(const Picture& previous, const std::vector<std::uint8_t>& previousVisibility,
+    const Picture& current, const std::vector<std::uint8_t>& currentVisibility) const;
+  std::vector<PatternFrame> framesAfter(
+    const Picture& previous, const Picture& current, const Step& step) const;
   PatternFrame follow(const PatternFrame& frame, const SimilarityFit& fit) const;
   bool matches(const TrackedSamples& samples) const;
   void start(const TrackedSamples& samples, Picture picture);
+  void markSeen(const std::vector<double>& frontWeights);
   void settle();
-  Step predictStep(const Picture& picture) const;
   void predict(Picture picture);
-  void measureResidual(const Picture& picture, const Step& step);
+  void measureStep(const Picture& picture, Step& step);
 
   TrackerOptions options;
   std::vector<std::int32_t> patches; // per sample

@@ -18,6 +18,8 @@ namespace hachure
 namespace
 {
 
+// Waking a thread costs as much as projecting this many samples.
+constexpr std::int64_t samplesPerThread = 8192;
 constexpr double quarterOfPi = 0.78539816339744830962;
 
 bool isFinite(const glm::dvec3& value)
@@ -200,10 +202,10 @@ std::vector<ProjectedSample> projectSamples(
   const AreaProjection project(view);
   const double wholeImage = view.viewportSize.x * view.viewportSize.y;
   std::vector<ProjectedSample> projected(samples.positions.size());
-  parallelFor(static_cast<std::int64_t>(projected.size()),
-    [&](std::int64_t index)
+  const auto projectRange = [&](std::int64_t begin, std::int64_t end)
+  {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
     {
-      const auto i = static_cast<std::size_t>(index);
       const std::size_t patch =
         samples.patches.empty() ? 0 : static_cast<std::size_t>(samples.patches[i]);
       const double spacing = samples.patchSpacing[patch];
@@ -212,7 +214,9 @@ std::vector<ProjectedSample> projectSamples(
       // Next to the eye the tangent disc grows without bound; no sample fills more than the image.
       sample.weight = std::isfinite(area) ? std::clamp(area, -wholeImage, wholeImage) : 0.0;
       projected[i] = sample;
-    });
+    }
+  };
+  parallelForRanges(static_cast<std::int64_t>(projected.size()), samplesPerThread, projectRange);
   return projected;
 }
 

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PatchFit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace hachure
+{
+
+namespace
+{
+
+double commonWeight(WeightScheme scheme, double previous, double current)
+{
+  switch (scheme)
+  {
+    case WeightScheme::Symmetric:
+      return std::sqrt(previous * current);
+    case WeightScheme::Classic:
+      return previous > 0.0 ? current : 0.0;
+    case WeightScheme::Unweighted:
+      break;
+  }
+  return previous * current; // each is 0 or 1
+}
+
+void checkArrays(const WeightedFrame& previous, const WeightedFrame& current,
+  Span<const std::int32_t> patches, std::size_t patchTotal)
+{
+  const std::size_t count = patches.size();
+  for (const WeightedFrame* frame : { &previous, &current })
+  {
+    if (frame->samples.size() != count || frame->weights.size() != count)
+    {
+      throw std::invalid_argument("fitPatches: a frame has " +
+        std::to_string(frame->samples.size()) + " samples and " +
+        std::to_string(frame->weights.size()) + " weights, expected " + std::to_string(count) +
+        " as in patches");
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (patches[i] < 0 || static_cast<std::size_t>(patches[i]) >= patchTotal)
+    {
+      throw std::invalid_argument("fitPatches: patches[" + std::to_string(i) + "] is " +
+        std::to_string(patches[i]) + ", expected 0 to " + std::to_string(patchTotal) + " - 1");
+    }
+  }
+}
+
+} // namespace
+
+PatchFits fitPatches(const WeightedFrame& previous, const WeightedFrame& current,
+  Span<const std::int32_t> patches, std::size_t patchTotal, WeightScheme scheme)
+{
+  checkArrays(previous, current, patches, patchTotal);
+  PatchFits result;
+  result.weights.resize(patches.size());
+  result.previousWeights.assign(patchTotal, 0.0);
+  result.currentWeights.assign(patchTotal, 0.0);
+  std::vector<SimilarityMoments> moments(patchTotal);
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    const auto patch = static_cast<std::size_t>(patches[i]);
+    const double w = commonWeight(scheme, previous.weights[i], current.weights[i]);
+    result.weights[i] = w;
+    result.previousWeights[patch] += previous.weights[i];
+    result.currentWeights[patch] += current.weights[i];
+    if (w > 0.0)
+    {
+      SimilarityMoments& sum = moments[patch];
+      if (sum.weight == 0.0)
+      {
+        sum.previousOrigin = previous.samples[i].position;
+        sum.currentOrigin = current.samples[i].position;
+      }
+      sum.add(w, previous.samples[i].position, current.samples[i].position);
+    }
+  }
+  for (const SimilarityMoments& sum : moments)
+  {
+    result.fits.push_back(fitSimilarity(sum));
+  }
+  return result;
+}
+
+void measureResiduals(PatchFits& fits, const WeightedFrame& previous, const WeightedFrame& current,
+  Span<const std::int32_t> patches)
+{
+  for (SimilarityFit& fit : fits.fits)
+  {
+    fit.residual = 0.0;
+  }
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    SimilarityFit& fit = fits.fits[static_cast<std::size_t>(patches[i])];
+    if (fits.weights[i] > 0.0)
+    {
+      fit.residual += fits.weights[i] / fit.weight *
+        residualLength(fit.transform, previous.samples[i].position, current.samples[i].position);
+    }
+  }
+}
+
+std::vector<double> facingWeights(Span<const ProjectedSample> samples, WeightScheme scheme)
+{
+  std::vector<double> weights;
+  weights.reserve(samples.size());
+  for (const ProjectedSample& sample : samples)
+  {
+    const double front = std::max(0.0, sample.weight);
+    weights.push_back(scheme == WeightScheme::Unweighted && front > 0.0 ? 1.0 : front);
+  }
+  return weights;
+}
+
+PatternAnchors anchorPatterns(
+  Span<const ProjectedSample> samples, Span<const std::int32_t> patches, std::size_t patchTotal)
+{
+  PatternAnchors anchors;
+  anchors.frames.resize(patchTotal);
+  anchors.frontWeights.assign(patchTotal, 0.0);
+  std::vector<double> bothWeights(patchTotal, 0.0);
+  std::vector<glm::dvec2> front(patchTotal, glm::dvec2(0.0));
+  std::vector<glm::dvec2> both(patchTotal, glm::dvec2(0.0));
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const auto patch = static_cast<std::size_t>(patches[i]);
+    const double area = std::abs(samples[i].weight);
+    both[patch] += area * samples[i].position;
+    bothWeights[patch] += area;
+    if (samples[i].weight > 0.0)
+    {
+      front[patch] += area * samples[i].position;
+      anchors.frontWeights[patch] += area;
+    }
+  }
+  for (std::size_t patch = 0; patch < patchTotal; ++patch)
+  {
+    if (anchors.frontWeights[patch] > 0.0)
+    {
+      anchors.frames[patch].origin = front[patch] / anchors.frontWeights[patch];
+    }
+    else if (bothWeights[patch] > 0.0)
+    {
+      anchors.frames[patch].origin = both[patch] / bothWeights[patch];
+    }
+  }
+  return anchors;
+}
+
+} // namespace hachure

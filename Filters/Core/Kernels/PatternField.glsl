@@ -25,8 +25,9 @@
 // Rows and columns of the table.
 const float tableTones = 256.0f;
 const float tableSteps = 16.0f;
-// Rows before the LOD transition, and from its end to scale 2; all others lie in the transition.
-const float tableOuterRows = 2.0f;
+// Steps before the LOD transition, and from its end to scale 2, where little changes; all others lie in the
+// transition, with a row exactly at its start and one at its end, where the response bends.
+const float tableOuterRows = 1.0f;
 // Below this many pixels per period a screen cannot be resolved: ink = tone. Above one pixel more, no change.
 const float flatPeriod = 2.0f;
 
@@ -50,19 +51,6 @@ float tableColumn(float tone)
   return (clamp(tone, 0.0f, 1.0f) * (tableTones - 1.0f) + 0.5f) / tableTones;
 }
 
-// The weight of the half-size copy, spread so that the table is close to linear between its rows: thresholds
-// leave both ends of the transition like square roots.
-float spreadBlend(float t)
-{
-  return t < 0.5f ? sqrt(0.5f * max(t, 0.0f)) : 1.0f - sqrt(0.5f * max(1.0f - t, 0.0f));
-}
-
-// Inverse of spreadBlend.
-float unspreadBlend(float x)
-{
-  return x < 0.5f ? 2.0f * x * x : 1.0f - 2.0f * (1.0f - x) * (1.0f - x);
-}
-
 // Texture coordinate of a wrapped scale in the table: row 0 is s = 1, the last row is s = 2.
 // 1 <= s0 <= s1 <= 2.
 float tableRow(float s, float s0, float s1)
@@ -75,7 +63,7 @@ float tableRow(float s, float s0, float s1)
   }
   else if (s < s1)
   {
-    row = tableOuterRows + (last - 2.0f * tableOuterRows) * spreadBlend(lodBlend(s, s0, s1));
+    row = tableOuterRows + (last - 2.0f * tableOuterRows) * lodBlend(s, s0, s1);
   }
   else
   {
@@ -96,7 +84,7 @@ float tableScale(float row, float s0, float s1)
   {
     return mix(2.0f, s1, (last - row) / tableOuterRows);
   }
-  return mix(s0, s1, unspreadBlend((row - tableOuterRows) / (last - 2.0f * tableOuterRows)));
+  return mix(s0, s1, (row - tableOuterRows) / (last - 2.0f * tableOuterRows));
 }
 
 // Share of flat tone (ink = tone) in the drawing: 1 up to 2 pixels per period, 0 from 3 on. t is the weight

@@ -90,10 +90,11 @@ int components(StyleParameter::Kind kind)
 Track::Track(int componentCount, bool spline)
   : interpolator(vtkSmartPointer<vtkTupleInterpolator>::New())
 {
-  this->interpolator->SetNumberOfComponents(componentCount);
   this->interpolator->SetInterpolationType(spline
       ? vtkTupleInterpolator::INTERPOLATION_TYPE_SPLINE
       : vtkTupleInterpolator::INTERPOLATION_TYPE_LINEAR);
+  // After the type, whose setter forgets the number.
+  this->interpolator->SetNumberOfComponents(componentCount);
 }
 
 //----------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 
 #include "ErrorCollector.h"
 
+#include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
@@ -63,6 +64,7 @@ ErrorCollector::ErrorCollector()
   : previous(vtkOutputWindow::GetInstance())
   , window(vtkSmartPointer<CollectingWindow>::New())
 {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkOutputWindow::SetInstance(this->window);
 }
 
@@ -70,6 +72,7 @@ ErrorCollector::ErrorCollector()
 ErrorCollector::~ErrorCollector()
 {
   vtkOutputWindow::SetInstance(this->previous);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);
 }
 
 //----------------------------------------------------------------------------

@@ -20,7 +20,8 @@ namespace
 using Kind = StyleParameter::Kind;
 using Parameters = std::map<std::string, StyleParameter>;
 
-constexpr double LargestLength = 10000.0;
+constexpr double LargestSize = 10000.0;
+constexpr double LargestOutline = 100.0;
 
 /// A parameter of one number; the object is kept alive by the setter.
 template <class Object>
@@ -44,7 +45,7 @@ void addLayer(Parameters& all, vtkPatternLayer* layer, const std::string& path)
     [tone](const double* v) { tone->SetRange(v[0], v[1]); } };
   if (auto* image = vtkImagePatternLayer::SafeDownCast(layer))
   {
-    all[path + "field.size"] = number(image, &vtkImagePatternLayer::SetSize, 0.01, LargestLength);
+    all[path + "field.size"] = number(image, &vtkImagePatternLayer::SetSize, 0.01, LargestSize);
     all[path + "field.angle"] = number(image, &vtkImagePatternLayer::SetAngle, -360.0, 360.0);
     all[path + "field.irregularity"] =
       number(image, &vtkImagePatternLayer::SetIrregularity, 0.0, 1.0);
@@ -59,7 +60,7 @@ Parameters allParameters(vtkPatternStyle* style)
     [kept](const double* v) { kept->SetPaperColor(v[0], v[1], v[2]); } };
   all["outline.color"] = { Kind::Color, 0.0, 1.0,
     [kept](const double* v) { kept->SetOutlineColor(v[0], v[1], v[2]); } };
-  all["outline.width"] = { Kind::Number, 0.0, LargestLength,
+  all["outline.width"] = { Kind::Number, 0.0, LargestOutline,
     [kept](const double* v) { kept->SetOutlineWidth(v[0]); } };
   for (int i = 0; i < style->GetNumberOfLayers(); ++i)
   {

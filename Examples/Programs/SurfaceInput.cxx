@@ -35,9 +35,6 @@ namespace
 {
 using Leaf = vtkSmartPointer<vtkPolyData>;
 
-/// Hard edges of a mechanical part keep their edge above this angle between faces.
-constexpr double FeatureAngleDegrees = 60.0;
-
 std::string rangeText(const double range[2])
 {
   std::ostringstream text;
@@ -152,7 +149,6 @@ Leaf withNormals(vtkPolyData* surface)
   normals->SetInputData(surface);
   normals->SplittingOff();
   normals->ConsistencyOn();
-  normals->SetFeatureAngle(FeatureAngleDegrees);
   normals->Update();
   return normals->GetOutput();
 }

@@ -78,12 +78,11 @@ void describeLayer(StyleArchive& archive, LayerPointer& layer)
 {
   if (archive.isReading())
   {
-    std::string name;
     if (!archive.has("type"))
     {
       archive.fail("type", "missing; a layer needs one");
     }
-    name = archive.readText("type");
+    const std::string name = archive.readText("type");
     std::string known;
     for (const LayerType& type : layerTypes())
     {
@@ -275,6 +274,7 @@ void readStyle(const std::string& text, const std::string& folder, vtkPatternSty
 std::string writeStyle(vtkPatternStyle* style, const std::string& folder)
 {
   std::vector<LayerPointer> layers;
+  layers.reserve(style->GetNumberOfLayers());
   for (int i = 0; i < style->GetNumberOfLayers(); ++i)
   {
     layers.emplace_back(style->GetLayer(i));

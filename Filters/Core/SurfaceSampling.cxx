@@ -152,7 +152,7 @@ public:
     return placeSamples(progress);
   }
 
-  double modelSpacing() const { return spacing * scale; }
+  double modelSpacing() const { return spacing > 0.0 ? spacing * scale : 0.0; }
 
   std::vector<PatchSample> samples;
 
@@ -160,6 +160,10 @@ private:
   /// Moves the patch to the unit cube and finds the spacing; false when it has no area.
   bool normalise()
   {
+    if (triangles.empty())
+    {
+      return false;
+    }
     glm::dvec3 low(std::numeric_limits<double>::max());
     glm::dvec3 high(std::numeric_limits<double>::lowest());
     for (const TriangleCorners& corners : triangles)
@@ -169,10 +173,6 @@ private:
     }
     const glm::dvec3 extent = high - low;
     scale = std::max(extent.x, std::max(extent.y, extent.z));
-    if (triangles.empty() || !(scale > 0.0))
-    {
-      return false;
-    }
     double area = 0.0;
     totalLength = 0.0;
     for (TriangleCorners& corners : triangles)

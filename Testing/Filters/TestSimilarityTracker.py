@@ -28,7 +28,7 @@ def value(name):
 
 
 assert tracker.GetOutput().GetNumberOfRows() == 1
-assert str(value("Status")) == "Similarity"
+assert value("Status").ToString() == "Similarity"
 assert abs(value("AngleDegrees").ToDouble() - 20.0) < 1e-9, value("AngleDegrees")
 assert abs(value("Scale").ToDouble() - 1.0) < 1e-9
 assert value("Residual").ToDouble() < 1e-9

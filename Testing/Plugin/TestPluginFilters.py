@@ -1,0 +1,18 @@
+# SPDX-FileCopyrightText: Hachure contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filters of the plugin run in ParaView, with their properties passed on."""
+
+import sys
+
+from paraview import servermanager, simple
+
+simple.LoadPlugin(sys.argv[1], remote=False, ns=globals())
+
+sphere = simple.Sphere(ThetaResolution=40, PhiResolution=30)
+samples = simple.HachureSurfaceSamples(Input=sphere)
+for wanted in (500, 2000):
+    samples.SamplesPerPatch = wanted
+    data = servermanager.Fetch(samples)
+    assert abs(data.GetNumberOfPoints() - wanted) < 0.15 * wanted, data.GetNumberOfPoints()
+for name in ("Normals", "Barycentrics", "PatchId", "SampleId"):
+    assert data.GetPointData().HasArray(name), name

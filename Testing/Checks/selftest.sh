@@ -39,7 +39,7 @@ for check in format.sh spelling.sh walls.sh shaders.py; do
 done
 echo 'int   number() { return 1 ; }' >>"$tree/Filters/Core/Number.h"
 expect 1 format.sh "another layout"
-printf '// The patern\n' | sed 's/patern/lenght/' >>"$tree/Filters/Core/Number.h"
+echo '// The length' | sed 's/th$/ht/' >>"$tree/Filters/Core/Number.h"
 expect 1 spelling.sh "a misspelling"
 echo '#include <vtkPolyData.h>' >>"$tree/Filters/Core/Number.h"
 expect 1 walls.sh "VTK in the core"

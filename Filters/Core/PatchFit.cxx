@@ -51,6 +51,64 @@ void checkArrays(const WeightedFrame& previous, const WeightedFrame& current,
   }
 }
 
+// Calls body(patch, begin, end) for every range of successive samples of one patch: sums stay in
+// registers over a range.
+template <class Body>
+void forEachRun(Span<const std::int32_t> patches, Body&& body)
+{
+  for (std::size_t begin = 0; begin < patches.size();)
+  {
+    std::size_t end = begin + 1;
+    while (end < patches.size() && patches[end] == patches[begin])
+    {
+      ++end;
+    }
+    body(static_cast<std::size_t>(patches[begin]), begin, end);
+    begin = end;
+  }
+}
+
+void joinWeights(Span<const double> previous, Span<const double> current, WeightScheme scheme,
+  std::size_t begin, std::size_t end, PatchFits& result, std::size_t patch)
+{
+  double previousSum = result.previousWeights[patch];
+  double currentSum = result.currentWeights[patch];
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    result.weights[i] = commonWeight(scheme, previous[i], current[i]);
+    previousSum += previous[i];
+    currentSum += current[i];
+  }
+  result.previousWeights[patch] = previousSum;
+  result.currentWeights[patch] = currentSum;
+}
+
+// Samples of weight 0 add exact zeros, which is faster than a branch that no one can foretell.
+void addRun(SimilarityMoments& moments, Span<const ProjectedSample> previous,
+  Span<const ProjectedSample> current, const std::vector<double>& weights, std::size_t begin,
+  std::size_t end)
+{
+  if (moments.weight == 0.0)
+  {
+    while (begin < end && !(weights[begin] > 0.0))
+    {
+      ++begin;
+    }
+    if (begin == end)
+    {
+      return;
+    }
+    moments.previousOrigin = previous[begin].position;
+    moments.currentOrigin = current[begin].position;
+  }
+  SimilarityMoments sum = moments;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    sum.add(weights[i], previous[i].position, current[i].position);
+  }
+  moments = sum;
+}
+
 } // namespace
 
 PatchFits fitPatches(const WeightedFrame& previous, const WeightedFrame& current,
@@ -62,24 +120,12 @@ PatchFits fitPatches(const WeightedFrame& previous, const WeightedFrame& current
   result.previousWeights.assign(patchTotal, 0.0);
   result.currentWeights.assign(patchTotal, 0.0);
   std::vector<SimilarityMoments> moments(patchTotal);
-  for (std::size_t i = 0; i < patches.size(); ++i)
-  {
-    const auto patch = static_cast<std::size_t>(patches[i]);
-    const double w = commonWeight(scheme, previous.weights[i], current.weights[i]);
-    result.weights[i] = w;
-    result.previousWeights[patch] += previous.weights[i];
-    result.currentWeights[patch] += current.weights[i];
-    if (w > 0.0)
+  forEachRun(patches,
+    [&](std::size_t patch, std::size_t begin, std::size_t end)
     {
-      SimilarityMoments& sum = moments[patch];
-      if (sum.weight == 0.0)
-      {
-        sum.previousOrigin = previous.samples[i].position;
-        sum.currentOrigin = current.samples[i].position;
-      }
-      sum.add(w, previous.samples[i].position, current.samples[i].position);
-    }
-  }
+      joinWeights(previous.weights, current.weights, scheme, begin, end, result, patch);
+      addRun(moments[patch], previous.samples, current.samples, result.weights, begin, end);
+    });
   for (const SimilarityMoments& sum : moments)
   {
     result.fits.push_back(fitSimilarity(sum));
@@ -94,15 +140,19 @@ void measureResiduals(PatchFits& fits, const WeightedFrame& previous, const Weig
   {
     fit.residual = 0.0;
   }
-  for (std::size_t i = 0; i < patches.size(); ++i)
-  {
-    SimilarityFit& fit = fits.fits[static_cast<std::size_t>(patches[i])];
-    if (fits.weights[i] > 0.0)
+  forEachRun(patches,
+    [&](std::size_t patch, std::size_t begin, std::size_t end)
     {
-      fit.residual += fits.weights[i] / fit.weight *
-        residualLength(fit.transform, previous.samples[i].position, current.samples[i].position);
-    }
-  }
+      SimilarityFit& fit = fits.fits[patch];
+      const Similarity transform = fit.transform;
+      double sum = 0.0;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        sum += fits.weights[i] *
+          residualLength(transform, previous.samples[i].position, current.samples[i].position);
+      }
+      fit.residual += fit.weight > 0.0 ? sum / fit.weight : 0.0;
+    });
 }
 
 std::vector<double> facingWeights(Span<const ProjectedSample> samples, WeightScheme scheme)

@@ -127,9 +127,10 @@ struct AreaProjection
     {
       return {};
     }
-    const glm::dvec2 image = glm::dvec2(clip) / clip.w;
+    const double perspective = 1.0 / clip.w;
+    const glm::dvec2 image = glm::dvec2(clip) * perspective;
     const glm::dvec3 area = this->constant + image.x * this->alongX + image.y * this->alongY;
-    return { this->halfSize * (image + 1.0), glm::dot(area, normal) / (clip.w * clip.w) };
+    return { this->halfSize * (image + 1.0), glm::dot(area, normal) * perspective * perspective };
   }
 };
 

@@ -207,6 +207,38 @@ TEST(PatternTracker, PreviewsChangeNothing)
   EXPECT_EQ(tracker.drawn()[0], expected);
 }
 
+// Visibility that arrives late, or for every third frame only, must not lose the surface.
+TEST(PatternTracker, MissingVisibilityIsBridged)
+{
+  const Spheres scene = occludingSpheres();
+  PatternTracker every, third, never;
+  Camera camera;
+  for (int frame = 0; frame <= 60; ++frame)
+  {
+    camera.azimuth = 1.0 * frame;
+    drawFrame(every, scene, camera);
+    third.advance(scene.samples(), camera.view());
+    never.advance(scene.samples(), camera.view());
+    if (frame % 3 == 0)
+    {
+      third.setVisibility(scene.visibility(camera.view()));
+    }
+    ASSERT_EQ(third.anchored()[0], frame == 0 ? 1 : 0);
+  }
+  EXPECT_LT(glm::length(third.committed()[0].origin - every.committed()[0].origin), 5.0);
+  EXPECT_NEAR(scaleOf(third.committed()[0]), scaleOf(every.committed()[0]), 0.05);
+
+  // Once measured and then never again.
+  drawFrame(never, scene, camera);
+  for (int frame = 1; frame <= 150; ++frame)
+  {
+    camera.azimuth = 60.0 + frame;
+    never.advance(scene.samples(), camera.view());
+    ASSERT_TRUE(std::isfinite(scaleOf(never.drawn()[0])));
+  }
+  EXPECT_NEAR(scaleOf(never.drawn()[0]), 1.0, 0.9);
+}
+
 TEST(PatternTracker, ResizeKeepsUpright)
 {
   const Spheres scene({ { 0.3, 0.2, 0.0 } }, 500, false);

@@ -3,6 +3,7 @@
 
 #include "Scene.h"
 
+#include "DrawingWindow.h"
 #include "ErrorCollector.h"
 #include "UserError.h"
 
@@ -17,8 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <stdexcept>
 
 namespace hachure::program
@@ -236,14 +235,7 @@ void Scene::setLights(const std::vector<CameraLight>& lights)
 //----------------------------------------------------------------------------
 void Scene::openWindow()
 {
-  if (!std::getenv("DISPLAY"))
-  {
-    throw UserError("no display to draw with: set DISPLAY, or start under xvfb-run");
-  }
-  this->window = vtkSmartPointer<vtkRenderWindow>::New();
-  this->window->SetShowWindow(false);
-  this->window->SetUseOffScreenBuffers(true);
-  this->window->SetMultiSamples(0);
+  this->window = makeDrawingWindow();
   this->window->SetSize(this->pictureWidth, this->pictureHeight);
   this->window->AddRenderer(this->renderer);
 }

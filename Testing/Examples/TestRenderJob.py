@@ -6,7 +6,7 @@ import os
 
 import numpy
 
-from rendering_program import draw, fresh_folder, ink, picture, write_sphere, write_volume
+from rendering_program import draw, fresh_folder, ink, picture, run, write_sphere, write_volume
 
 fresh_folder()
 write_sphere("sphere.vtp")
@@ -59,3 +59,12 @@ draw(*job, "second")
 assert ink(picture("first/frame_0000.png")) > 0.02
 first, second = (open(name + "/frame_0000.png", "rb").read() for name in ("first", "second"))
 assert first == second
+
+# Without a display the picture is the same, or the refusal clear and nothing written.
+bare = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+done = run(*job, "bare", environment=bare)
+if done.returncode == 0:
+    assert open("bare/frame_0000.png", "rb").read() == first
+else:
+    assert done.returncode == 2 and "no display to draw with" in done.stderr, done.stderr
+    assert not os.path.exists("bare")

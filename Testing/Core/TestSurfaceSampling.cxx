@@ -117,6 +117,33 @@ TEST(SurfaceSampling, SamplesLieInTheirTriangles)
   }
 }
 
+TEST(SurfaceSampling, OneSampleIsEquallyLikelyEverywhere)
+{
+  Surface surface;
+  surface.points = { { 0, 0, 0 }, { 3, 0, 1 }, { 1, 2, 0 } };
+  surface.triangles = { { 0, 1, 2 } };
+  SamplingOptions options;
+  options.samplesPerPatch = 1;
+  options.regularity = 1;
+  const int trials = 10000;
+  glm::dvec3 mean(0.0);
+  glm::dvec3 meanSquare(0.0);
+  for (int i = 0; i < trials; ++i)
+  {
+    options.seed = static_cast<std::uint32_t>(i);
+    const SurfaceSamples samples = sampleSurface(surface.mesh(), options);
+    ASSERT_EQ(samples.triangles.size(), 1u);
+    mean += samples.barycentrics[0] / static_cast<double>(trials);
+    meanSquare += samples.barycentrics[0] * samples.barycentrics[0] / static_cast<double>(trials);
+  }
+  // Moments of the uniform distribution; the tolerances are four standard errors.
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(mean[i], 1.0 / 3.0, 0.0094);
+    EXPECT_NEAR(meanSquare[i], 1.0 / 6.0, 0.0079);
+  }
+}
+
 TEST(SurfaceSampling, MinimumDistanceIsKept)
 {
   Surface quad;

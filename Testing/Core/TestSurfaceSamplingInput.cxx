@@ -48,6 +48,30 @@ TEST(SurfaceSamplingInput, OddInputIsSampledSilently)
   EXPECT_GT(sampleSurface(surface.mesh()).triangles.size(), 300u);
 }
 
+TEST(SurfaceSamplingInput, NeedlesCostNoMoreThanTriangles)
+{
+  // With voxels as small as the spacing, this would be cut into 1e9 pieces.
+  Surface surface;
+  const int needles = 3000;
+  for (int i = 0; i < needles; ++i)
+  {
+    surface.points.insert(
+      surface.points.end(), { { i * 1e-3, 0, 0 }, { i * 1e-3 + 1e-9, 0, 0 }, { i * 1e-3, 1, 1 } });
+    surface.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  EXPECT_GT(sampleSurface(surface.mesh()).triangles.size(), 480u);
+}
+
+TEST(SurfaceSamplingInput, ExtentBeyondTheRangeOfDoublesGivesNoSamples)
+{
+  Surface surface;
+  addGrid(surface, { -1.5e308, 0, 0 }, { 1e307, 0, 0 }, { 0, 1e307, 0 }, 1);
+  addGrid(surface, { 1.5e308, 0, 0 }, { 1e307, 0, 0 }, { 0, 1e307, 0 }, 1);
+  const SurfaceSamples samples = sampleSurface(surface.mesh());
+  EXPECT_TRUE(samples.triangles.empty());
+  EXPECT_EQ(samples.patchSpacing, std::vector<double>{ 0.0 });
+}
+
 TEST(SurfaceSamplingInput, WrongInputIsNamed)
 {
   Surface quad;

@@ -25,9 +25,11 @@
 // Rows and columns of the table.
 const float tableTones = 256.0f;
 const float tableSteps = 16.0f;
-// Steps before the LOD transition, and from its end to scale 2, where little changes; all others lie in the
-// transition, with a row exactly at its start and one at its end, where the response bends.
-const float tableOuterRows = 1.0f;
+// Steps before the LOD transition, and from its end to scale 2, where little changes; the twelve others lie in
+// the transition, with rows exactly where the response bends: at its start and end, at a third, where slopes of
+// a ruled hatch cancel, and at its middle.
+const float tableStepsBefore = 2.0f;
+const float tableStepsAfter = 1.0f;
 // Below this many pixels per period a screen cannot be resolved: ink = tone. Above one pixel more, no change.
 const float flatPeriod = 2.0f;
 
@@ -59,15 +61,15 @@ float tableRow(float s, float s0, float s1)
   float row = last;
   if (s <= s0)
   {
-    row = tableOuterRows * clamp((s - 1.0f) / max(s0 - 1.0f, 1.0e-6f), 0.0f, 1.0f);
+    row = tableStepsBefore * clamp((s - 1.0f) / max(s0 - 1.0f, 1.0e-6f), 0.0f, 1.0f);
   }
   else if (s < s1)
   {
-    row = tableOuterRows + (last - 2.0f * tableOuterRows) * lodBlend(s, s0, s1);
+    row = tableStepsBefore + (last - tableStepsBefore - tableStepsAfter) * lodBlend(s, s0, s1);
   }
   else
   {
-    row = last - tableOuterRows * clamp((2.0f - s) / max(2.0f - s1, 1.0e-6f), 0.0f, 1.0f);
+    row = last - tableStepsAfter * clamp((2.0f - s) / max(2.0f - s1, 1.0e-6f), 0.0f, 1.0f);
   }
   return (row + 0.5f) / tableSteps;
 }
@@ -76,15 +78,15 @@ float tableRow(float s, float s0, float s1)
 float tableScale(float row, float s0, float s1)
 {
   float last = tableSteps - 1.0f;
-  if (row <= tableOuterRows)
+  if (row <= tableStepsBefore)
   {
-    return mix(1.0f, s0, row / tableOuterRows);
+    return mix(1.0f, s0, row / tableStepsBefore);
   }
-  if (row >= last - tableOuterRows)
+  if (row >= last - tableStepsAfter)
   {
-    return mix(2.0f, s1, (last - row) / tableOuterRows);
+    return mix(2.0f, s1, (last - row) / tableStepsAfter);
   }
-  return mix(s0, s1, (row - tableOuterRows) / (last - 2.0f * tableOuterRows));
+  return mix(s0, s1, (row - tableStepsBefore) / (last - tableStepsBefore - tableStepsAfter));
 }
 
 // Share of flat tone (ink = tone) in the drawing: 1 up to 2 pixels per period, 0 from 3 on. t is the weight

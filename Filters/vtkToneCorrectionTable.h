@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkToneCorrectionTable
+ * @brief   thresholds that make the ink of a pattern, as drawn, equal the tone
+ *
+ * The input is a pattern image with the point arrays Screen and Gradient, as vtkPatternImageSource
+ * makes it. Drawing it filters it, softens its edges by a pixel and blends it with its half-size
+ * copy while it is scaled; all of this changes how much is inked at a threshold. This filter draws
+ * the pattern at 16 steps of scale, measures the ink and inverts the measurement (Breslav et al.
+ * 2007, section 3.3).
+ *
+ * The output is an image of 256 x 16 floats, Threshold: x is the tone, 0 to 1, y the step of scale,
+ * from 1 at the bottom to 2 at the top, more densely between LodStart and LodEnd. Between its
+ * points it is to be interpolated linearly. tableColumn and tableRow in
+ * Core/Kernels/PatternField.glsl give the place of a tone and a scale. Its field data repeats
+ * TexelsPerPixel, LodStart and LodEnd.
+ */
+
+#ifndef vtkToneCorrectionTable_h
+#define vtkToneCorrectionTable_h
+
+#include "HachureFiltersModule.h" // for the export macro
+#include "vtkImageAlgorithm.h"
+
+class HACHUREFILTERS_EXPORT vtkToneCorrectionTable : public vtkImageAlgorithm
+{
+public:
+  static vtkToneCorrectionTable* New();
+  vtkTypeMacro(vtkToneCorrectionTable, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Pixels of the drawing per period of the pattern at scale 1. The pattern image says in its field
+   * array Periods how many there are across its width; without that array one is assumed, with a
+   * warning. Range 0.01 to 100000, default 8.
+   */
+  vtkSetClampMacro(PeriodInPixels, double, 0.01, 100000.0);
+  vtkGetMacro(PeriodInPixels, double);
+  ///@}
+
+  ///@{
+  /**
+   * Scales between which the half-size copy takes over. Range 1 to 2, defaults 1.3 and 1.7. An end
+   * before the start is an error.
+   */
+  vtkSetClampMacro(LodStart, double, 1.0, 2.0);
+  vtkGetMacro(LodStart, double);
+  vtkSetClampMacro(LodEnd, double, 1.0, 2.0);
+  vtkGetMacro(LodEnd, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the half-size copy takes over at all. Default on.
+   */
+  vtkSetMacro(LodBlending, bool);
+  vtkGetMacro(LodBlending, bool);
+  vtkBooleanMacro(LodBlending, bool);
+  ///@}
+
+protected:
+  vtkToneCorrectionTable() = default;
+  ~vtkToneCorrectionTable() override = default;
+
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  double PeriodInPixels = 8.0;
+  double LodStart = 1.3;
+  double LodEnd = 1.7;
+  bool LodBlending = true;
+
+private:
+  vtkToneCorrectionTable(const vtkToneCorrectionTable&) = delete;
+  void operator=(const vtkToneCorrectionTable&) = delete;
+};
+
+#endif

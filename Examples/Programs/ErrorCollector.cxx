@@ -27,7 +27,8 @@ public:
   void DisplayErrorText(const char* text) override
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
-    if (this->First.empty())
+    // The listing of a shader that does not compile comes before the reason.
+    if (this->First.empty() || this->First.find("#version") != std::string::npos)
     {
       this->First = text;
     }

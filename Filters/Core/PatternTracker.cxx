@@ -156,10 +156,6 @@ std::vector<PatternFrame> PatternTracker::framesAfter(
 
 PatternFrame PatternTracker::follow(const PatternFrame& frame, const SimilarityFit& fit) const
 {
-  if (fit.status == FitStatus::NoSamples)
-  {
-    return frame;
-  }
   Similarity transform = fit.transform;
   if (this->options.lockRotation)
   {

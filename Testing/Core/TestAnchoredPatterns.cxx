@@ -47,6 +47,19 @@ TEST(AnchoredPatterns, FollowsPositionSizeAndAxis)
   EXPECT_NEAR(glm::length(near.u) / glm::length(first.u), 2.0, 0.01);
 }
 
+TEST(AnchoredPatterns, FindsAxesInAnyDirection)
+{
+  for (const glm::dvec3 axis : { glm::dvec3(0.8, 0.6, 0.0), { 0.6, -0.8, 0.0 }, { 0.7, 0.3, 0.6 } })
+  {
+    const Spheres scene({ -1.5 * axis, glm::dvec3(0.0), 1.5 * axis }, 200, false);
+    ViewProjection view = Camera().view();
+    view.viewToClip = glm::ortho(-4.0, 4.0, -3.0, 3.0, 0.1, 100.0);
+    const PatternFrame frame = anchoredFrames(scene.samples(), view)[0];
+    // The axis has no sense of its own.
+    EXPECT_NEAR(frame.u.y / frame.u.x, axis.y / axis.x, 0.02);
+  }
+}
+
 TEST(AnchoredPatterns, IsContinuousInTheCamera)
 {
   const Spheres scene = row();

@@ -104,6 +104,8 @@ TEST(SampleProjection, SightEndsBehindTheCameraAndBesideThePicture)
   EXPECT_EQ(weightAt({ 1.21 * edge, 0.0, 0.0 }, view), 0.0);
   EXPECT_EQ(weightAt({ 0.0, 0.0, 11.0 }, view), 0.0);
   EXPECT_EQ(weightAt({ 0.0, 0.0, 10.0 }, view), 0.0); // in the eye
+  const glm::dvec2 eye = projectOne({ 0.0, 0.0, 10.0 }, front, view, FacingRule::Signed).position;
+  EXPECT_TRUE(std::isfinite(eye.x) && std::isfinite(eye.y));
   ViewProjection parallel = view;
   parallel.viewToClip = glm::ortho(-3.0, 3.0, -2.0, 2.0, 0.1, 100.0);
   EXPECT_GT(weightAt({ 0.0, 0.0, 9.0 }, parallel), 0.0);

@@ -1,0 +1,32 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+
+// Draws the layers of one object over the pixels that its attribute stage covered.
+
+in vec2 texCoord;
+
+uniform sampler2D hachureSurfaceColor; // rgb display-referred colour, a: 1 - half the drawn edge
+uniform sampler2D hachureSurfaceData;  // rgb tones, a: packed normal in view coordinates
+uniform sampler2D hachureSurfaceDepth; // window depth, 1 where nothing was drawn
+
+//Hachure::Compose::Dec
+
+//Hachure::Outline::Dec
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  float depth = texelFetch(hachureSurfaceDepth, pixel, 0).r;
+  vec4 surface = texelFetch(hachureSurfaceColor, pixel, 0);
+  // The second part never holds; the quad must use all of its attributes.
+  if (surface.a <= 0.0 || texCoord.x < 0.0)
+  {
+    discard;
+  }
+  vec4 data = texelFetch(hachureSurfaceData, pixel, 0);
+  vec3 color = hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), surface.rgb, data.rgb);
+  color = mix(color, surface.rgb, clamp(2.0 - 2.0 * surface.a, 0.0, 1.0));
+  //Hachure::Outline::Impl
+  gl_FragData[0] = vec4(color, 1.0);
+  gl_FragDepth = depth;
+}

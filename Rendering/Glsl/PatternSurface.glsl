@@ -1,0 +1,84 @@
+// What Hachure adds to VTK's own polydata shader, one section per place it is put in.
+// Variables that start with "hachure" are ours; all others are VTK's. K stands for a tone channel.
+
+//Section PointToneVSDec
+in vec2 hachureToneKMC; // x: tone before clamping, y: 1 where the array has a number
+out vec2 hachureToneKVSOutput;
+//Section PointToneVSImpl
+  hachureToneKVSOutput = hachureToneKMC;
+//Section PointToneGSDec
+in vec2 hachureToneKVSOutput[];
+out vec2 hachureToneKGSOutput;
+//Section PointToneGSImpl
+  hachureToneKGSOutput = hachureToneKVSOutput[i];
+//Section PointToneFSDec
+in vec2 hachureToneKVSOutput;
+//Section PointToneFSImpl
+  vec2 hachureArrayK = hachureToneKVSOutput;
+//Section CellToneFSDec
+uniform samplerBuffer hachureCellToneK; // per primitive: tone before clamping, 1 where there is a number
+//Section CellToneFSImpl
+  vec2 hachureArrayK = texelFetch(hachureCellToneK, gl_PrimitiveID + PrimitiveIDOffset).xy;
+//Section ToneArray
+  hachureTone[K] = hachureArrayK.y > 0.999 ? clamp(hachureArrayK.x, 0.0, 1.0) : -1.0;
+//Section ToneLit
+  hachureTone[K] = hachureLitTone;
+//Section ToneLitColor
+  hachureTone[K] = clamp(1.0 - hachureLuma(gl_FragData[0].rgb), 0.0, 1.0);
+
+//Section Dec
+float hachureLuma(vec3 color)
+{
+  return dot(color, vec3(0.2126, 0.7152, 0.0722));
+}
+
+// Octahedral map of a unit vector, 12 bits a coordinate in one exactly representable float.
+float hachurePackNormal(vec3 n)
+{
+  vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1e-6);
+  if (n.z < 0.0)
+  {
+    p = (1.0 - abs(p.yx)) * vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+  }
+  vec2 q = floor(clamp(p * 0.5 + 0.5, 0.0, 1.0) * 4095.0 + 0.5);
+  return q.x * 4096.0 + q.y;
+}
+
+//Section BeforeLightBlinnPhong
+  // Light a white surface; the surface's own colour is put back behind the lighting.
+  vec3 hachureSurfaceColor = diffuseColor;
+  diffuseColor = vec3(diffuseIntensity);
+//Section AfterLightBlinnPhong
+  float hachureLitTone =
+    clamp(1.0 - hachureLuma(min(vec3(ambientIntensity) + diffuse, vec3(1.0))), 0.0, 1.0);
+  gl_FragData[0].rgb += diffuse * (hachureSurfaceColor / max(diffuseIntensity, 1e-6) - vec3(1.0));
+//Section BeforeLightPhysical
+  // Physically based shading is not linear in the albedo: the surface keeps its colour, and
+  // the tone is that of the picture.
+  vec3 hachureSurfaceColor = diffuseColor;
+//Section AfterLightPhysical
+  float hachureLitTone = clamp(1.0 - hachureLuma(gl_FragData[0].rgb), 0.0, 1.0);
+//Section BeforeLightUnlit
+  vec3 hachureSurfaceColor = diffuseColor;
+//Section AfterLightUnlit
+  float hachureLitTone = 0.0; // no light in the scene's model: paper
+//Section NormalLit
+  vec3 hachureNormal = normalVCVSOutput;
+//Section NormalUnlit
+  vec3 hachureNormal = vec3(0.0, 0.0, 1.0);
+//Section EdgesOn
+  float hachureEdge = emix;
+//Section EdgesOff
+  float hachureEdge = 0.0;
+//Section ToneStart
+  vec3 hachureTone = vec3(0.0);
+//Section FlatPaper
+  gl_FragData[0].rgb = hachureSurfaceColor / max(diffuseIntensity, 1e-6);
+
+//Section Attributes
+  gl_FragData[0].a = 1.0 - 0.5 * hachureEdge;
+  gl_FragData[1] = vec4(hachureTone, hachurePackNormal(hachureNormal));
+//Section Forward
+  gl_FragData[0].rgb = mix(
+    hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), gl_FragData[0].rgb, hachureTone),
+    gl_FragData[0].rgb, hachureEdge);

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Draws a vtkImagePatternLayer: keeps its tile, mip chain and tone table as textures.
+ */
+#ifndef vtkImagePatternLayerPainter_h
+#define vtkImagePatternLayerPainter_h
+
+#include "PatternTile.h"
+#include "ToneTable.h"
+#include "vtkNew.h"
+#include "vtkPatternLayerPainter.h"
+#include "vtkTextureObject.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+class vtkImagePatternLayer;
+
+class vtkImagePatternLayerPainter : public vtkPatternLayerPainter
+{
+public:
+  explicit vtkImagePatternLayerPainter(vtkImagePatternLayer* layer);
+
+  bool Update(vtkOpenGLRenderWindow* window, const Scene& scene, std::string& error) override;
+  const char* GetDeclarations() const override;
+  const std::vector<float>& GetTableRows() const override { return this->Table.threshold; }
+  unsigned long GetTableVersion() const override { return this->TableVersion; }
+  void SetUniforms(vtkShaderProgram* program, const std::string& number,
+    const hachure::PatternFrame& frame, double firstTableRow) override;
+  void Activate() override;
+  void Deactivate() override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+private:
+  using Mips = std::shared_ptr<const std::vector<hachure::PatternTile>>;
+  bool UpdateTile(std::string& error);
+  void UpdateTable(const Scene& scene);
+  void Upload(vtkOpenGLRenderWindow* window);
+
+  vtkWeakPointer<vtkImagePatternLayer> Layer;
+  Mips Tile;
+  vtkMTimeType TileTime = 0;
+  hachure::ToneTable Table;
+  unsigned long TableVersion = 0;
+  Mips TableTile;
+  double Period = 8.0; // pixels of the framebuffer per pattern period at LOD scale 1
+  Scene CurrentScene;
+  vtkNew<vtkTextureObject> Texture;
+  Mips UploadedTile;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkImagePatternLayerPainter.h

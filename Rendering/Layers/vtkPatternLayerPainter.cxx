@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPatternLayerPainter.h"
+
+#include "vtkImagePatternLayer.h"
+#include "vtkImagePatternLayerPainter.h"
+
+std::unique_ptr<vtkPatternLayerPainter> vtkPatternLayerPainter::New(vtkPatternLayer* layer)
+{
+  if (auto* image = vtkImagePatternLayer::SafeDownCast(layer))
+  {
+    return std::make_unique<vtkImagePatternLayerPainter>(image);
+  }
+  return nullptr;
+}

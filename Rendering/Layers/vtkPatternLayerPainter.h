@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * How a layer is drawn: its shader text, textures and uniforms in one window.
+ *
+ * Layers hold parameters only; each type of layer has one painter, made by New().
+ */
+#ifndef vtkPatternLayerPainter_h
+#define vtkPatternLayerPainter_h
+
+#include "PatternTracker.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkPatternLayer;
+class vtkShaderProgram;
+class vtkWindow;
+
+class vtkPatternLayerPainter
+{
+public:
+  virtual ~vtkPatternLayerPainter() = default;
+
+  /// The painter for this type of layer. The one list of layer types in the rendering code.
+  static std::unique_ptr<vtkPatternLayerPainter> New(vtkPatternLayer* layer);
+
+  /// What a draw knows besides the layer.
+  struct Scene
+  {
+    double PixelsPerLogical = 1.0;
+    double DotsPerInch = 96.0;
+  };
+
+  /// Brings textures and tables up to date. Returns false, with the reason in `error`, where the
+  /// layer cannot be drawn.
+  virtual bool Update(vtkOpenGLRenderWindow* window, const Scene& scene, std::string& error) = 0;
+
+  /// Declarations with '@' for the layer's number; they define
+  /// float hachureCoverage@(vec2 position, float tone).
+  virtual const char* GetDeclarations() const = 0;
+  /// Rows of 256 thresholds for the table that all layers share, and a version of their content.
+  virtual const std::vector<float>& GetTableRows() const = 0;
+  virtual unsigned long GetTableVersion() const = 0;
+
+  /// Values for one draw; `frame` is where the pattern lies now, in logical pixels.
+  virtual void SetUniforms(vtkShaderProgram* program, const std::string& number,
+    const hachure::PatternFrame& frame, double firstTableRow) = 0;
+
+  virtual void Activate() = 0;
+  virtual void Deactivate() = 0;
+  virtual void ReleaseGraphicsResources(vtkWindow* window) = 0;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkPatternLayerPainter.h

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Every difference between VTK versions that Hachure must bridge, in one place.
+ *
+ * Guards test for headers, not for version numbers: the VTK inside ParaView calls itself newer
+ * than the features it has.
+ */
+#ifndef vtkHachureCompatibility_h
+#define vtkHachureCompatibility_h
+
+// The OpenGL loader: GLEW until VTK 9.3, GLAD afterwards.
+#if __has_include("vtk_glad.h")
+#include "vtk_glad.h"
+#elif __has_include("vtk_glew.h")
+#include "vtk_glew.h"
+#else
+#error "Hachure needs VTK's OpenGL loader: vtk_glad.h or vtk_glew.h"
+#endif
+
+// Inline namespaces arrived with VTK 9.2; older versions know no macro for them.
+#ifndef VTK_ABI_NAMESPACE_BEGIN
+#define VTK_ABI_NAMESPACE_BEGIN
+#define VTK_ABI_NAMESPACE_END
+#endif
+
+#endif

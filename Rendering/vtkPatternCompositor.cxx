@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPatternCompositor.h"
+
+#include "Ink.h"
+#include "Kernels.h"
+#include "Lod.h"
+#include "Mix.h"
+#include "PatternCompose.h"
+#include "PatternField.h"
+#include "PatternLayer.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPatternLayer.h"
+#include "vtkPatternStyle.h"
+#include "vtkPatternTone.h"
+#include "vtkPatternViewport.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr std::size_t tableTones = 256;
+
+const char* BlendFunction(int mode)
+{
+  switch (mode)
+  {
+    case vtkPatternLayer::MULTIPLY:
+      return "blendMultiply";
+    case vtkPatternLayer::OVERLAY:
+      return "blendOverlay";
+    case vtkPatternLayer::SCREEN:
+      return "blendScreen";
+    default:
+      return "blendOver";
+  }
+}
+} // namespace
+
+void vtkPatternCompositor::Update(vtkPatternStyle* style, const vtkPatternToneChannels& channels,
+  vtkOpenGLRenderWindow* window, double pixelsPerLogical, std::string& error)
+{
+  vtkPatternLayerPainter::Scene scene;
+  scene.PixelsPerLogical = pixelsPerLogical;
+  scene.DotsPerInch = style->GetDotsPerInch();
+  this->Layers.clear();
+  std::map<vtkSmartPointer<vtkPatternLayer>, std::unique_ptr<vtkPatternLayerPainter>> kept;
+  for (int i = 0; i < style->GetNumberOfLayers(); ++i)
+  {
+    Drawn drawn;
+    drawn.Layer = style->GetLayer(i);
+    drawn.Channel = channels.Find(drawn.Layer->GetTone());
+    auto& painter = kept[drawn.Layer];
+    painter = std::move(this->Painters[drawn.Layer]);
+    if (!painter)
+    {
+      painter = vtkPatternLayerPainter::New(drawn.Layer);
+    }
+    std::string problem;
+    const bool known = painter != nullptr;
+    if (!known)
+    {
+      problem = "unknown type of layer";
+    }
+    if (drawn.Layer->GetEnabled() && known && painter->Update(window, scene, problem))
+    {
+      drawn.Painter = painter.get();
+      this->Layers.push_back(drawn);
+    }
+    else if (drawn.Layer->GetEnabled() && error.empty())
+    {
+      error = "layer " + std::to_string(i) + ": " + problem;
+    }
+  }
+  for (auto& old : this->Painters)
+  {
+    if (old.second)
+    {
+      old.second->ReleaseGraphicsResources(window);
+    }
+  }
+  this->Painters = std::move(kept);
+  this->UpdateText();
+  this->UpdateTables(window);
+}
+
+void vtkPatternCompositor::UpdateText()
+{
+  std::string declarations;
+  std::string calls;
+  for (std::size_t i = 0; i < this->Layers.size(); ++i)
+  {
+    const Drawn& layer = this->Layers[i];
+    const std::string number = std::to_string(i);
+    const std::string tone =
+      layer.Channel < 0 ? "hachureCurve@.z" : "tones[" + std::to_string(layer.Channel) + "]";
+    std::string declaration = std::string(layer.Painter->GetDeclarations()) + PatternLayer;
+    vtkShaderProgram::Substitute(declaration, "TONE", tone);
+    vtkShaderProgram::Substitute(declaration, "BLEND", BlendFunction(layer.Layer->GetBlendMode()));
+    vtkShaderProgram::Substitute(declaration, "@", number);
+    declarations += declaration;
+    calls += "  color = hachureLayer" + number + "(color, position, tones);\n";
+  }
+  std::string text = std::string(Ink) + Mix + Lod + PatternField + PatternCompose;
+  vtkShaderProgram::Substitute(text, "//Hachure::Layers::Dec", declarations);
+  vtkShaderProgram::Substitute(text, "  //Hachure::Layers::Impl", calls);
+  this->ShaderText = text;
+}
+
+void vtkPatternCompositor::UpdateTables(vtkOpenGLRenderWindow* window)
+{
+  std::vector<std::pair<vtkPatternLayerPainter*, unsigned long>> state;
+  std::vector<float> rows;
+  for (const Drawn& layer : this->Layers)
+  {
+    state.emplace_back(layer.Painter, layer.Painter->GetTableVersion());
+    const std::vector<float>& own = layer.Painter->GetTableRows();
+    rows.insert(rows.end(), own.begin(), own.end());
+  }
+  if (rows.empty())
+  {
+    rows.assign(tableTones, 0.0f); // samplers must always have a texture
+  }
+  this->TableRows = rows.size() / tableTones;
+  if (state == this->TableState && this->Tables->GetHandle())
+  {
+    return;
+  }
+  this->TableState = state;
+  this->Tables->ReleaseGraphicsResources(window);
+  this->Tables->SetContext(window);
+  this->Tables->SetWrapS(vtkTextureObject::ClampToEdge);
+  this->Tables->SetWrapT(vtkTextureObject::ClampToEdge);
+  this->Tables->SetMinificationFilter(vtkTextureObject::Linear);
+  this->Tables->SetMagnificationFilter(vtkTextureObject::Linear);
+  this->Tables->Create2DFromRaw(static_cast<unsigned int>(tableTones),
+    static_cast<unsigned int>(this->TableRows), 1, VTK_FLOAT, rows.data());
+}
+
+void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyle* style,
+  const vtkPatternViewport& viewport, const double nanColor[3], const hachure::PatternFrame& frame)
+{
+  const float map[4] = { static_cast<float>(viewport.FragmentToLogical.x),
+    static_cast<float>(viewport.FragmentToLogical.y),
+    static_cast<float>(viewport.FragmentToLogical.z),
+    static_cast<float>(viewport.FragmentToLogical.w) };
+  program->SetUniform4f("hachurePixelMap", map);
+  const double* paperColor = style->GetPaperColor();
+  const float paper[4] = { static_cast<float>(paperColor[0]), static_cast<float>(paperColor[1]),
+    static_cast<float>(paperColor[2]),
+    style->GetPaperSource() == vtkPatternStyle::CONSTANT ? 0.0f : 1.0f };
+  program->SetUniform4f("hachurePaper", paper);
+  const float nan[3] = { static_cast<float>(nanColor[0]), static_cast<float>(nanColor[1]),
+    static_cast<float>(nanColor[2]) };
+  program->SetUniform3f("hachureNanColor", nan);
+  program->SetUniformi("hachureToneTables", this->Tables->GetTextureUnit());
+  program->SetUniformf("hachureTableRows", static_cast<float>(this->TableRows));
+
+  double row = 0.0;
+  for (std::size_t i = 0; i < this->Layers.size(); ++i)
+  {
+    const Drawn& drawn = this->Layers[i];
+    const std::string number = std::to_string(i);
+    const double* color = drawn.Layer->GetColor();
+    const glm::vec3 linear = hachure::glsl::toLinear(glm::vec3(
+      static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2])));
+    const float ink[4] = { linear.x, linear.y, linear.z,
+      static_cast<float>(drawn.Layer->GetOpacity()) };
+    program->SetUniform4f(("hachureInk" + number).c_str(), ink);
+    vtkPatternTone* tone = drawn.Layer->GetTone();
+    const float curve[3] = { static_cast<float>(tone->GetGamma()), tone->GetInvert() ? 1.0f : 0.0f,
+      static_cast<float>(tone->GetConstant()) };
+    program->SetUniform3f(("hachureCurve" + number).c_str(), curve);
+    drawn.Painter->SetUniforms(program, number, frame, row);
+    row += static_cast<double>(drawn.Painter->GetTableRows().size() / tableTones);
+  }
+}
+
+void vtkPatternCompositor::Activate()
+{
+  this->Tables->Activate();
+  for (const Drawn& layer : this->Layers)
+  {
+    layer.Painter->Activate();
+  }
+}
+
+void vtkPatternCompositor::Deactivate()
+{
+  this->Tables->Deactivate();
+  for (const Drawn& layer : this->Layers)
+  {
+    layer.Painter->Deactivate();
+  }
+}
+
+void vtkPatternCompositor::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Tables->ReleaseGraphicsResources(window);
+  for (auto& painter : this->Painters)
+  {
+    if (painter.second)
+    {
+      painter.second->ReleaseGraphicsResources(window);
+    }
+  }
+}

@@ -1,0 +1,681 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPatternMapper.h"
+
+#include "vtkHachureCompatibility.h"
+
+#include "AnchoredPatterns.h"
+#include "PatternOutline.h"
+#include "PatternScreenFS.h"
+#include "vtkActor.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkCameraInterpolator.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkLookupTable.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkPatternCompositor.h"
+#include "vtkPatternMapperHelper.h"
+#include "vtkPatternShaderInjector.h"
+#include "vtkPatternStyle.h"
+#include "vtkPatternToneChannels.h"
+#include "vtkPatternViewContext.h"
+#include "vtkPatternViewport.h"
+#include "vtkPatternWindowResources.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSelection.h"
+#include "vtkShaderProgram.h"
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+vtkStandardNewMacro(vtkPatternMapper);
+
+struct vtkPatternMapper::WindowPart
+{
+  vtkPatternCompositor Compositor;
+  std::shared_ptr<vtkPatternWindowResources> Resources;
+  std::unique_ptr<vtkOpenGLQuadHelper> ScreenPass;
+  std::string ScreenText;
+};
+
+struct vtkPatternMapper::Internals
+{
+  vtkPatternToneChannels Channels;
+  vtkTimeStamp ChannelTime;
+  std::map<vtkWindow*, WindowPart> Windows;
+  vtkNew<vtkPatternShaderInjector> AttributeInjector;
+  vtkNew<vtkPatternShaderInjector> ForwardInjector;
+  std::vector<double> KeyTimes;
+  std::string ChannelError;
+  std::string ReportedStyle;
+  std::string ReportedDevice;
+};
+
+// All that one Render call hands from step to step.
+struct vtkPatternMapper::Drawing
+{
+  vtkRenderer* Renderer;
+  vtkActor* Actor;
+  vtkOpenGLRenderWindow* Window;
+  WindowPart& Part;
+  vtkPatternViewport Viewport;
+  vtkPatternViewContext::Track* Track;
+  bool Measures; // the visibility of the samples belongs to this drawing
+  std::array<int, 4> Rectangle = { 0, 0, 0, 0 }; // x, y, width, height in the framebuffer
+};
+
+namespace
+{
+// Puts an injector into an actor's render passes as long as it lives.
+class ScopedInjector
+{
+public:
+  ScopedInjector(vtkActor* actor, vtkPatternShaderInjector* injector)
+    : Actor(actor)
+    , Injector(injector)
+  {
+    if (!actor->GetPropertyKeys())
+    {
+      vtkNew<vtkInformation> keys;
+      actor->SetPropertyKeys(keys);
+    }
+    vtkOpenGLRenderPass::RenderPasses()->Append(actor->GetPropertyKeys(), injector);
+  }
+  ~ScopedInjector()
+  {
+    vtkInformation* keys = this->Actor->GetPropertyKeys();
+    vtkOpenGLRenderPass::RenderPasses()->Remove(keys, this->Injector);
+    if (vtkOpenGLRenderPass::RenderPasses()->Length(keys) == 0)
+    {
+      keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+    }
+  }
+  ScopedInjector(const ScopedInjector&) = delete;
+  ScopedInjector& operator=(const ScopedInjector&) = delete;
+
+private:
+  vtkActor* Actor;
+  vtkPatternShaderInjector* Injector;
+};
+
+// Pixels (x, y, width, height) that the box can cover; all of the viewport where the box reaches
+// behind the camera.
+std::array<int, 4> ScreenRectangle(
+  const double bounds[6], const glm::dmat4& modelToClip, const std::array<int, 4>& viewport)
+{
+  glm::dvec2 lower(1.0);
+  glm::dvec2 upper(-1.0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec4 clip = modelToClip *
+      glm::dvec4(
+        bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)], bounds[4 + ((corner >> 2) & 1)], 1.0);
+    if (clip.w <= 0.0)
+    {
+      return viewport;
+    }
+    const glm::dvec2 position(clip.x / clip.w, clip.y / clip.w);
+    lower = glm::min(lower, position);
+    upper = glm::max(upper, position);
+  }
+  lower = glm::clamp(lower, -1.0, 1.0);
+  upper = glm::clamp(upper, -1.0, 1.0);
+  if (lower.x >= upper.x || lower.y >= upper.y)
+  {
+    return { viewport[0], viewport[1], 0, 0 };
+  }
+  std::array<int, 4> rectangle;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const int size = viewport[2 + axis];
+    const int begin =
+      std::max(0, static_cast<int>(std::floor((lower[axis] * 0.5 + 0.5) * size)) - 1);
+    const int end =
+      std::min(size, static_cast<int>(std::ceil((upper[axis] * 0.5 + 0.5) * size)) + 1);
+    rectangle[axis] = viewport[axis] + begin;
+    rectangle[2 + axis] = end - begin;
+  }
+  return rectangle;
+}
+
+std::vector<vtkPolyData*> Leaves(vtkDataObject* input)
+{
+  std::vector<vtkPolyData*> leaves;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> iterator;
+    iterator.TakeReference(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      if (auto* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
+      {
+        leaves.push_back(leaf);
+      }
+    }
+  }
+  else if (auto* leaf = vtkPolyData::SafeDownCast(input))
+  {
+    leaves.push_back(leaf);
+  }
+  return leaves;
+}
+} // namespace
+
+vtkPatternMapper::vtkPatternMapper()
+  : Style(vtkSmartPointer<vtkPatternStyle>::New())
+  , Internal(std::make_unique<Internals>())
+{
+}
+
+vtkPatternMapper::~vtkPatternMapper() = default;
+
+void vtkPatternMapper::SetStyle(vtkPatternStyle* style)
+{
+  if (this->Style != style)
+  {
+    this->Style = style;
+    this->Modified();
+  }
+}
+
+vtkPatternStyle* vtkPatternMapper::GetStyle()
+{
+  return this->Style;
+}
+
+void vtkPatternMapper::SetTrackedMapper(vtkPatternMapper* mapper)
+{
+  if (this->TrackedMapper != mapper)
+  {
+    this->TrackedMapper = mapper == this ? nullptr : mapper;
+    this->Modified();
+  }
+}
+
+vtkPatternMapper* vtkPatternMapper::GetTrackedMapper()
+{
+  return this->TrackedMapper;
+}
+
+void vtkPatternMapper::SetCameraPath(vtkCameraInterpolator* path)
+{
+  if (this->CameraPath != path)
+  {
+    this->CameraPath = path;
+    this->Modified();
+  }
+}
+
+vtkCameraInterpolator* vtkPatternMapper::GetCameraPath()
+{
+  return this->CameraPath;
+}
+
+void vtkPatternMapper::AddKeyTime(double time)
+{
+  this->Internal->KeyTimes.push_back(time);
+  this->Modified();
+}
+
+void vtkPatternMapper::RemoveAllKeyTimes()
+{
+  this->Internal->KeyTimes.clear();
+  this->Modified();
+}
+
+vtkMTimeType vtkPatternMapper::GetMTime()
+{
+  // The style is not part of it: its changes are found while drawing and rebuild no buffers.
+  return this->Superclass::GetMTime();
+}
+
+const vtkPatternToneChannels& vtkPatternMapper::GetToneChannels() const
+{
+  return this->Internal->Channels;
+}
+
+vtkPatternHelperBase* vtkPatternMapper::CreateHelper()
+{
+  return vtkPatternMapperHelper::New();
+}
+
+void vtkPatternMapper::CopyMapperValuesToHelper(vtkPatternHelperBase* helper)
+{
+  this->Superclass::CopyMapperValuesToHelper(helper);
+  if (helper->GetMTime() < this->Internal->ChannelTime.GetMTime())
+  {
+    helper->Modified(); // other tone arrays: other buffers and shaders
+  }
+}
+
+void vtkPatternMapper::Reanchor(vtkRenderer* renderer)
+{
+  if (vtkPatternViewContext* context = vtkPatternViewContext::Find(renderer))
+  {
+    context->Reanchor(this);
+  }
+}
+
+namespace
+{
+void Store(const hachure::PatternFrame& from, double frame[6])
+{
+  const double values[6] = { from.origin.x, from.origin.y, from.u.x, from.u.y, from.v.x, from.v.y };
+  std::copy(values, values + 6, frame);
+}
+} // namespace
+
+bool vtkPatternMapper::GetDrawnFrame(vtkRenderer* renderer, double frame[6])
+{
+  vtkPatternViewContext* context = vtkPatternViewContext::Find(renderer);
+  const auto* track = context ? context->FindTrack(this, nullptr) : nullptr;
+  if (!track || track->Frames.empty())
+  {
+    return false;
+  }
+  Store(track->Frames[0], frame);
+  return true;
+}
+
+bool vtkPatternMapper::GetCommittedFrame(vtkRenderer* renderer, double frame[6])
+{
+  vtkPatternViewContext* context = vtkPatternViewContext::Find(renderer);
+  auto* track = context ? context->FindTrack(this, nullptr) : nullptr;
+  if (!track || track->Tracker.drawn().empty())
+  {
+    return false;
+  }
+  Store(track->Tracker.committed()[0], frame);
+  return true;
+}
+
+double vtkPatternMapper::GetResidual(vtkRenderer* renderer)
+{
+  vtkPatternViewContext* context = vtkPatternViewContext::Find(renderer);
+  auto* track = context ? context->FindTrack(this, nullptr) : nullptr;
+  return track && !track->Tracker.residual().empty() ? track->Tracker.residual()[0] : -1.0;
+}
+
+std::vector<hachure::PatternFrame> vtkPatternMapper::AnchoredFrames(
+  const hachure::TrackedSamples& samples, const hachure::ViewProjection& view,
+  vtkRenderer* renderer)
+{
+  if (!this->CameraPath || this->CameraPath->GetNumberOfCameras() == 0)
+  {
+    return hachure::anchoredFrames(samples, view);
+  }
+  // The path moves the camera; what the projection and the actor do is taken from this frame.
+  vtkNew<vtkCamera> camera;
+  camera->DeepCopy(renderer->GetActiveCamera());
+  const glm::dmat4 modelToWorld =
+    glm::inverse(vtkPattern::ToGlm(renderer->GetActiveCamera()->GetModelViewTransformMatrix())) *
+    view.modelToView;
+  const double aspect = view.viewportSize.x / view.viewportSize.y;
+  const auto path = [&](double time)
+  {
+    this->CameraPath->InterpolateCamera(time, camera);
+    hachure::TrackedScene scene;
+    scene.samples = samples;
+    scene.view = view;
+    scene.view.modelToView =
+      vtkPattern::ToGlm(camera->GetModelViewTransformMatrix()) * modelToWorld;
+    scene.view.viewToClip =
+      vtkPattern::ToGlm(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0));
+    return scene;
+  };
+  return hachure::replayFrames(
+    path, this->Internal->KeyTimes, this->AnimationTime, this->ReplayStep);
+}
+
+bool vtkPatternMapper::DrawsPatterns(vtkRenderer* renderer, vtkActor* actor)
+{
+  return this->Style && !renderer->GetSelector() &&
+    actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) != nullptr;
+}
+
+void vtkPatternMapper::Report(const std::string& error, std::string& reported)
+{
+  if (!error.empty() && error != reported)
+  {
+    vtkErrorMacro(<< error);
+  }
+  reported = error;
+}
+
+void vtkPatternMapper::UpdateChannels()
+{
+  const vtkPatternToneChannels old = this->Internal->Channels;
+  this->Internal->ChannelError.clear();
+  this->Internal->Channels.Collect(
+    this->Style, this->GetInputDataObject(0, 0), this->Internal->ChannelError);
+  if (!(this->Internal->Channels == old))
+  {
+    this->Internal->ChannelTime.Modified();
+    this->Modified();
+  }
+}
+
+void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (!this->DrawsPatterns(renderer, actor) || !this->GetInputAlgorithm())
+  {
+    this->Superclass::Render(renderer, actor);
+    return;
+  }
+  if (!this->Static)
+  {
+    this->GetInputAlgorithm()->Update();
+  }
+  vtkPatternViewport viewport(renderer, this->Style->GetPixelScale());
+  if (!this->GetInputDataObject(0, 0) || viewport.Drawn[2] < 1 || viewport.Drawn[3] < 1)
+  {
+    this->Superclass::Render(renderer, actor);
+    return;
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  this->UpdateChannels();
+  std::string error = this->Internal->ChannelError;
+  WindowPart& part = this->Internal->Windows[window];
+  part.Resources = vtkPatternWindowResources::Get(window);
+  part.Compositor.Update(
+    this->Style, this->Internal->Channels, window, viewport.PixelsPerLogical, error);
+  this->Report(error, this->Internal->ReportedStyle);
+
+  const bool lowDetail = this->TrackedMapper != nullptr;
+  vtkPatternMapper* steering = lowDetail ? this->TrackedMapper.Get() : this;
+  auto* track = vtkPatternViewContext::Get(renderer)->Advance(steering, actor, viewport, lowDetail);
+  const bool rightEye = window->GetStereoRender() && !renderer->GetActiveCamera()->GetLeftEye();
+  Drawing drawing{ renderer, actor, window, part, viewport, track,
+    !lowDetail && !rightEye && !viewport.IsTile };
+  if (actor->IsRenderingTranslucentPolygonalGeometry())
+  {
+    this->RenderForward(drawing);
+  }
+  else
+  {
+    this->RenderOpaque(drawing);
+  }
+}
+
+void vtkPatternMapper::RenderForward(Drawing& drawing)
+{
+  double nanColor[3];
+  this->GetNanColor(nanColor);
+  vtkPatternShaderInjector* injector = this->Internal->ForwardInjector;
+  injector->Configure(vtkPatternShaderInjector::FORWARD, this->Internal->Channels,
+    this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
+    drawing.Part.Compositor.GetShaderText());
+  injector->UniformSetter = [&](vtkShaderProgram* program)
+  {
+    drawing.Part.Compositor.SetUniforms(
+      program, this->Style, drawing.Viewport, nanColor, drawing.Track->Frames[0]);
+  };
+  drawing.Part.Compositor.Activate();
+  {
+    const ScopedInjector scoped(drawing.Actor, injector);
+    this->Superclass::Render(drawing.Renderer, drawing.Actor);
+  }
+  drawing.Part.Compositor.Deactivate();
+  injector->UniformSetter = nullptr;
+}
+
+void vtkPatternMapper::RenderOpaque(Drawing& drawing)
+{
+  vtkPatternWindowResources& resources = *drawing.Part.Resources;
+  if (!resources.Prepare(drawing.Window))
+  {
+    this->Report("the window's OpenGL cannot draw to the attribute images; expected floating "
+                 "point colour attachments (OpenGL 3.2)",
+      this->Internal->ReportedDevice);
+    this->Superclass::Render(drawing.Renderer, drawing.Actor);
+    return;
+  }
+  const glm::dmat4 modelToClip = vtkPattern::DrawnProjection(drawing.Renderer) *
+    vtkPattern::ModelView(drawing.Renderer, drawing.Actor);
+  double bounds[6];
+  this->GetBounds(bounds);
+  if (vtkBoundingBox::IsValid(bounds))
+  {
+    drawing.Rectangle = ScreenRectangle(bounds, modelToClip, drawing.Viewport.Drawn);
+  }
+  if (drawing.Rectangle[2] > 0 && drawing.Rectangle[3] > 0)
+  {
+    this->DrawAttributes(drawing);
+    this->DrawScreen(drawing);
+    if (drawing.Measures)
+    {
+      drawing.Track->Visibility.MeasureOwn(drawing.Window, drawing.Track->Samples, modelToClip,
+        drawing.Viewport.Drawn, resources.SurfaceDepth);
+    }
+  }
+  if (this->HasRemainder(drawing.Actor))
+  {
+    this->Stage = DrawStage::Remainder;
+    this->Superclass::Render(drawing.Renderer, drawing.Actor);
+    this->Stage = DrawStage::Stock;
+  }
+}
+
+void vtkPatternMapper::DrawAttributes(Drawing& drawing)
+{
+  vtkPatternShaderInjector* injector = this->Internal->AttributeInjector;
+  injector->Configure(vtkPatternShaderInjector::ATTRIBUTES, this->Internal->Channels,
+    this->Style->GetPaperSource() == vtkPatternStyle::FLAT, std::string());
+
+  vtkOpenGLState* state = drawing.Window->GetState();
+  state->PushFramebufferBindings();
+  {
+    vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+    vtkOpenGLState::ScopedglScissor scissor(state);
+    vtkOpenGLState::ScopedglClearColor clearColor(state);
+    vtkOpenGLState::ScopedglDepthMask depthMask(state);
+    drawing.Part.Resources->AttributeFramebuffer->Bind();
+    drawing.Part.Resources->AttributeFramebuffer->ActivateDrawBuffers(2);
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(
+      drawing.Rectangle[0], drawing.Rectangle[1], drawing.Rectangle[2], drawing.Rectangle[3]);
+    state->vtkglDisable(GL_BLEND);
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const ScopedInjector scoped(drawing.Actor, injector);
+    this->Stage = DrawStage::Surfaces;
+    this->Superclass::Render(drawing.Renderer, drawing.Actor);
+    this->Stage = DrawStage::Stock;
+  }
+  state->PopFramebufferBindings();
+}
+
+void vtkPatternMapper::DrawScreen(Drawing& drawing)
+{
+  WindowPart& part = drawing.Part;
+  std::string text = PatternScreenFS;
+  vtkShaderProgram::Substitute(text, "//Hachure::Compose::Dec", part.Compositor.GetShaderText());
+  const bool outline = this->Style->GetOutline() && this->Style->GetOutlineWidth() > 0.0;
+  std::string outlineText = PatternOutline;
+  const std::size_t call = outlineText.find("//Section Call");
+  vtkShaderProgram::Substitute(
+    text, "//Hachure::Outline::Dec", outline ? outlineText.substr(0, call) : std::string());
+  vtkShaderProgram::Substitute(
+    text, "//Hachure::Outline::Impl", outline ? outlineText.substr(call) : std::string());
+  if (!part.ScreenPass || part.ScreenText != text)
+  {
+    if (part.ScreenPass)
+    {
+      part.ScreenPass->ReleaseGraphicsResources(drawing.Window);
+    }
+    part.ScreenPass =
+      std::make_unique<vtkOpenGLQuadHelper>(drawing.Window, nullptr, text.c_str(), "");
+    part.ScreenText = text;
+  }
+  vtkShaderProgram* program = part.ScreenPass->Program;
+  if (!program || !program->GetCompiled())
+  {
+    this->Report(
+      "the shader of the style does not compile on this OpenGL", this->Internal->ReportedDevice);
+    return;
+  }
+  drawing.Window->GetShaderCache()->ReadyShaderProgram(program);
+
+  vtkPatternWindowResources& resources = *part.Resources;
+  resources.SurfaceColor->Activate();
+  resources.SurfaceData->Activate();
+  resources.SurfaceDepth->Activate();
+  part.Compositor.Activate();
+  program->SetUniformi("hachureSurfaceColor", resources.SurfaceColor->GetTextureUnit());
+  program->SetUniformi("hachureSurfaceData", resources.SurfaceData->GetTextureUnit());
+  program->SetUniformi("hachureSurfaceDepth", resources.SurfaceDepth->GetTextureUnit());
+  double nanColor[3];
+  this->GetNanColor(nanColor);
+  part.Compositor.SetUniforms(
+    program, this->Style, drawing.Viewport, nanColor, drawing.Track->Frames[0]);
+  if (outline)
+  {
+    this->SetOutline(drawing, program);
+  }
+
+  vtkOpenGLState* state = drawing.Window->GetState();
+  {
+    vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+    vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+    vtkOpenGLState::ScopedglScissor scissor(state);
+    state->vtkglDisable(GL_BLEND);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(
+      drawing.Rectangle[0], drawing.Rectangle[1], drawing.Rectangle[2], drawing.Rectangle[3]);
+    part.ScreenPass->Render();
+  }
+  part.Compositor.Deactivate();
+  resources.SurfaceDepth->Deactivate();
+  resources.SurfaceData->Deactivate();
+  resources.SurfaceColor->Deactivate();
+}
+
+void vtkPatternMapper::SetOutline(Drawing& drawing, vtkShaderProgram* program)
+{
+  vtkPatternStyle* style = this->Style;
+  const double* color = style->GetOutlineColor();
+  const float ink[4] = { static_cast<float>(color[0]), static_cast<float>(color[1]),
+    static_cast<float>(color[2]), 1.0f };
+  program->SetUniform4f("hachureOutlineInk", ink);
+
+  const double width =
+    style->GetLengthInPixels(style->GetOutlineWidth(), style->GetOutlineWidthUnit()) *
+    drawing.Viewport.PixelsPerLogical;
+  constexpr double radiansPerDegree = 3.14159265358979323846 / 180.0;
+  // Steps in depth below this part of the object's size are relief, not contours.
+  constexpr double slack = 0.004;
+  const float shape[4] = { static_cast<float>(width),
+    static_cast<float>(std::cos(style->GetOutlineCreaseAngle() * radiansPerDegree)),
+    static_cast<float>(slack * drawing.Actor->GetLength()),
+    static_cast<float>(std::ceil(width + 1.0)) };
+  program->SetUniform4f("hachureOutlineShape", shape);
+  const float kinds[3] = { style->GetOutlineSilhouette() ? 1.0f : 0.0f,
+    style->GetOutlineCreases() ? 1.0f : 0.0f, style->GetOutlineBorders() ? 1.0f : 0.0f };
+  program->SetUniform3f("hachureOutlineKinds", kinds);
+
+  const glm::dmat4 projection = vtkPattern::DrawnProjection(drawing.Renderer);
+  const float depthToView[4] = { static_cast<float>(projection[3][2]),
+    static_cast<float>(projection[3][3]), static_cast<float>(projection[2][3]),
+    static_cast<float>(projection[2][2]) };
+  program->SetUniform4f("hachureDepthToView", depthToView);
+  const bool perspective = projection[2][3] != 0.0;
+  float fragmentToView[4];
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double shift = perspective ? projection[2][axis] : -projection[3][axis];
+    const double size = drawing.Viewport.Drawn[2 + axis];
+    const double origin = drawing.Viewport.Drawn[axis];
+    fragmentToView[axis] = static_cast<float>(2.0 / (size * projection[axis][axis]));
+    fragmentToView[2 + axis] =
+      static_cast<float>((-2.0 * origin / size - 1.0 + shift) / projection[axis][axis]);
+  }
+  program->SetUniform4f("hachureFragmentToView", fragmentToView);
+  const float rectangle[4] = { static_cast<float>(drawing.Rectangle[0]),
+    static_cast<float>(drawing.Rectangle[1]),
+    static_cast<float>(drawing.Rectangle[0] + drawing.Rectangle[2]),
+    static_cast<float>(drawing.Rectangle[1] + drawing.Rectangle[3]) };
+  program->SetUniform4f("hachureRectangle", rectangle);
+}
+
+bool vtkPatternMapper::HasRemainder(vtkActor* actor)
+{
+  if (actor->GetProperty()->GetVertexVisibility() ||
+    (this->GetSelection() && this->GetSelection()->GetNumberOfNodes() > 0))
+  {
+    return true;
+  }
+  const std::vector<vtkPolyData*> leaves = Leaves(this->GetInputDataObject(0, 0));
+  return std::any_of(leaves.begin(), leaves.end(),
+    [](vtkPolyData* leaf) { return leaf->GetNumberOfVerts() > 0 || leaf->GetNumberOfLines() > 0; });
+}
+
+void vtkPatternMapper::GetNanColor(double color[3])
+{
+  constexpr double grey = 0.75;
+  std::fill(color, color + 3, grey);
+  if (!this->ScalarVisibility)
+  {
+    return;
+  }
+  double rgba[4] = { grey, grey, grey, 1.0 };
+  if (auto* table = vtkLookupTable::SafeDownCast(this->LookupTable))
+  {
+    table->GetNanColor(rgba);
+  }
+  else if (auto* function = vtkColorTransferFunction::SafeDownCast(this->LookupTable))
+  {
+    function->GetNanColor(rgba);
+  }
+  std::copy(rgba, rgba + 3, color);
+}
+
+void vtkPatternMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  auto found = this->Internal->Windows.find(window);
+  if (found != this->Internal->Windows.end())
+  {
+    WindowPart& part = found->second;
+    part.Compositor.ReleaseGraphicsResources(window);
+    if (part.ScreenPass)
+    {
+      part.ScreenPass->ReleaseGraphicsResources(window);
+    }
+    if (part.Resources)
+    {
+      part.Resources->ReleaseGraphicsResources(window);
+    }
+    this->Internal->Windows.erase(found);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkPatternMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Style: " << this->Style.Get() << "\n";
+  os << indent << "TrackedMapper: " << this->TrackedMapper.Get() << "\n";
+  os << indent << "CameraPath: " << this->CameraPath.Get() << "\n";
+  os << indent << "AnimationTime: " << this->AnimationTime << "\n";
+  os << indent << "ReplayStep: " << this->ReplayStep << "\n";
+}

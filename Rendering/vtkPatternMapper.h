@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkPatternMapper
+ * @brief Draws polydata with a stack of 2D patterns that move with the surface.
+ *
+ * The mapper takes vtkPolyData or a composite of it and draws what VTK's own composite mapper
+ * draws, with a vtkPatternStyle on its surfaces: scalar colouring, opacity, clipping planes, block
+ * attributes, drawn edges, selection, stereo, tiled screenshots and split viewports keep working.
+ * Lines and vertices are drawn as VTK draws them, and so is everything while the representation is
+ * wireframe or points, while a hardware selector is at work, and without a style.
+ *
+ * Opaque surfaces are drawn in two stages. VTK's shader writes colour, tones and normals into
+ * images of our own; then one pass over the object's rectangle evaluates the layers once per
+ * visible pixel and writes colour and depth under the normal depth test. Translucent surfaces
+ * evaluate the same layers in VTK's shader.
+ *
+ * Patterns move by the 2D similarity that fits the motion of samples on the surface best (Breslav
+ * et al. 2007, Dynamic 2D Patterns for Shading 3D Scenes), separately in every renderer. In the
+ * tracking mode ANCHORED of the style the picture is a pure function of surface, camera, style and
+ * path; see SetCameraPath().
+ *
+ * Samples and their weights take at most 200 bytes each, 500 a patch by default.
+ *
+ * Errors, each reported once until something changes: an input that is missing, a tone array that
+ * is missing or not numeric or has too few components, an empty tone range, more than three
+ * different tones, a layer that cannot be drawn. What can be drawn still is; surface without data
+ * is drawn in the lookup table's NaN colour (grey 0.75 without scalar colouring), without ink.
+ */
+#ifndef vtkPatternMapper_h
+#define vtkPatternMapper_h
+
+#include "HachureRenderingModule.h"
+#include "vtkPatternCompositeMapper.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#ifndef __VTK_WRAP__
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hachure
+{
+struct PatternFrame;
+struct TrackedSamples;
+struct ViewProjection;
+} // namespace hachure
+#endif
+
+class vtkCameraInterpolator;
+class vtkPatternStyle;
+
+// Named in full: VTK's Python wrappers do not see through type aliases.
+class HACHURERENDERING_EXPORT vtkPatternMapper : public vtkCompositePolyDataMapper2
+{
+public:
+  static vtkPatternMapper* New();
+  vtkTypeMacro(vtkPatternMapper, vtkCompositePolyDataMapper2);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * What is drawn on the surface. Several mappers may share a style. Null draws as VTK does.
+   * Default: a style of its own, empty (paper without layers).
+   */
+  virtual void SetStyle(vtkPatternStyle* style);
+  virtual vtkPatternStyle* GetStyle();
+  ///@}
+
+  ///@{
+  /**
+   * The mapper whose surface steers the patterns, where this one draws a stand-in of lower detail
+   * for the same actor: it looks on and never moves the patterns. Null (the default): its own.
+   * Not reference counted.
+   */
+  virtual void SetTrackedMapper(vtkPatternMapper* mapper);
+  virtual vtkPatternMapper* GetTrackedMapper();
+  ///@}
+
+  ///@{
+  /**
+   * The recorded motion of the camera, for the tracking mode ANCHORED: the pattern at
+   * AnimationTime is tracked along the path from the last key time at or before it, in steps of
+   * ReplayStep, without visibility. Without a path (the default) the mode has a closed form: origin
+   * at the projected centroid, scale by the projected size, angle by the projected axis.
+   */
+  virtual void SetCameraPath(vtkCameraInterpolator* path);
+  virtual vtkCameraInterpolator* GetCameraPath();
+  virtual void AddKeyTime(double time);
+  virtual void RemoveAllKeyTimes();
+  ///@}
+
+  ///@{
+  /**
+   * Time on the camera path, in its unit. Default 0.
+   */
+  vtkSetMacro(AnimationTime, double);
+  vtkGetMacro(AnimationTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * Step of the replay, in the unit of the path, above 0. Default 1/24.
+   */
+  vtkSetClampMacro(ReplayStep, double, 1e-9, VTK_DOUBLE_MAX);
+  vtkGetMacro(ReplayStep, double);
+  ///@}
+
+  /**
+   * Forgets how the patterns have moved in a renderer: the next frame anchors them anew.
+   */
+  virtual void Reanchor(vtkRenderer* renderer);
+
+  ///@{
+  /**
+   * Where the pattern lies in a renderer: origin x, y, then the image vectors u and v of the
+   * pattern's axes (Breslav et al. 2007, section 3.3), in logical pixels, y up. Drawn: in the last
+   * picture. Committed: after that picture's own visibility was measured, which is known from the
+   * next frame on. Returns false before the first frame.
+   */
+  virtual bool GetDrawnFrame(vtkRenderer* renderer, double frame[6]);
+  virtual bool GetCommittedFrame(vtkRenderer* renderer, double frame[6]);
+  ///@}
+
+  /**
+   * Mean distance in logical pixels by which the pattern slid over the surface in the last step,
+   * weighted by the visible area; negative before the first frame.
+   */
+  virtual double GetResidual(vtkRenderer* renderer);
+
+  void Render(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  vtkMTimeType GetMTime() override;
+
+#ifndef __VTK_WRAP__
+  /// What the helpers of this mapper draw now; internal.
+  enum class DrawStage
+  {
+    Stock,
+    Surfaces,
+    Remainder
+  };
+  DrawStage GetDrawStage() const
+  {
+    return this->Stage;
+  }
+  const class vtkPatternToneChannels& GetToneChannels() const;
+  std::vector<hachure::PatternFrame> AnchoredFrames(const hachure::TrackedSamples& samples,
+    const hachure::ViewProjection& view, vtkRenderer* renderer);
+#endif
+
+protected:
+  vtkPatternMapper();
+  ~vtkPatternMapper() override;
+
+  vtkPatternHelperBase* CreateHelper() override;
+  void CopyMapperValuesToHelper(vtkPatternHelperBase* helper) override;
+
+private:
+  vtkPatternMapper(const vtkPatternMapper&) = delete;
+  void operator=(const vtkPatternMapper&) = delete;
+
+  struct Internals;
+  struct WindowPart;
+  struct Drawing;
+  bool DrawsPatterns(vtkRenderer* renderer, vtkActor* actor);
+  void UpdateChannels();
+  void Report(const std::string& error, std::string& reported);
+  void RenderOpaque(Drawing& drawing);
+  void RenderForward(Drawing& drawing);
+  void DrawAttributes(Drawing& drawing);
+  void DrawScreen(Drawing& drawing);
+  void SetOutline(Drawing& drawing, vtkShaderProgram* program);
+  bool HasRemainder(vtkActor* actor);
+  void GetNanColor(double color[3]);
+
+  vtkSmartPointer<vtkPatternStyle> Style;
+  vtkWeakPointer<vtkPatternMapper> TrackedMapper;
+  vtkSmartPointer<vtkCameraInterpolator> CameraPath;
+  double AnimationTime = 0.0;
+  double ReplayStep = 1.0 / 24.0;
+  DrawStage Stage = DrawStage::Stock;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

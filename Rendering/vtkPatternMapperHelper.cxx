@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPatternMapperHelper.h"
+
+#include "vtkActor.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLCellToVTKCellMap.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPatternMapper.h"
+#include "vtkPatternTone.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSelection.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+vtkStandardNewMacro(vtkPatternMapperHelper);
+
+namespace
+{
+bool IsSurface(int primitive)
+{
+  return primitive == vtkOpenGLPolyDataMapper::PrimitiveTris ||
+    primitive == vtkOpenGLPolyDataMapper::PrimitiveTriStrips;
+}
+
+bool IsArray(const vtkPatternToneChannel& channel, bool onCells)
+{
+  return channel.Source == vtkPatternTone::ARRAY && channel.OnCells == onCells;
+}
+} // namespace
+
+vtkPatternMapper* vtkPatternMapperHelper::GetMapper()
+{
+  return vtkPatternMapper::SafeDownCast(this->Parent);
+}
+
+void vtkPatternMapperHelper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
+{
+  const vtkPatternMapper::DrawStage stage = this->GetMapper()->GetDrawStage();
+  if (stage == vtkPatternMapper::DrawStage::Stock)
+  {
+    this->Superclass::RenderPieceDraw(renderer, actor);
+    return;
+  }
+  const bool surfaces = stage == vtkPatternMapper::DrawStage::Surfaces;
+  this->CurrentSelector = nullptr;
+  this->PrimitiveIDOffset = 0;
+  const int representation = actor->GetProperty()->GetRepresentation();
+  for (int i = PrimitiveStart; i < PrimitiveEnd; ++i)
+  {
+    if (IsSurface(i) == surfaces)
+    {
+      this->DrawingVertices = i > PrimitiveTriStrips;
+      this->DrawingSelection = false;
+      this->DrawIBO(
+        renderer, actor, i, this->Primitives[i], this->GetOpenGLMode(representation, i), 0);
+    }
+  }
+  if (!surfaces)
+  {
+    this->DrawSelection(renderer, actor);
+  }
+}
+
+void vtkPatternMapperHelper::DrawSelection(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkSelection* selection = this->Parent->GetSelection();
+  if (!selection || selection->GetNumberOfNodes() == 0)
+  {
+    return;
+  }
+  constexpr int selectionPointSize = 5; // as VTK draws it
+  for (int i = PrimitiveStart; i <= PrimitiveTriStrips; ++i)
+  {
+    this->DrawingSelection = true;
+    this->DrawIBO(renderer, actor, i, this->SelectionPrimitives[i],
+      this->GetOpenGLMode(this->SelectionType, i), selectionPointSize);
+  }
+}
+
+void vtkPatternMapperHelper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::RenderPieceStart(renderer, actor);
+  for (CellTone& tone : this->CellTones)
+  {
+    if (tone.Texture && tone.Texture->GetHandle())
+    {
+      tone.Texture->Activate();
+    }
+  }
+}
+
+void vtkPatternMapperHelper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
+{
+  for (CellTone& tone : this->CellTones)
+  {
+    if (tone.Texture && tone.Texture->GetHandle())
+    {
+      tone.Texture->Deactivate();
+    }
+  }
+  this->Superclass::RenderPieceFinish(renderer, actor);
+}
+
+void vtkPatternMapperHelper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
+  for (std::size_t i = 0; i < this->CellTones.size(); ++i)
+  {
+    const std::string name = "hachureCellTone" + std::to_string(i);
+    if (this->CellTones[i].Texture && cellBO.Program->IsUniformUsed(name.c_str()))
+    {
+      cellBO.Program->SetUniformi(name.c_str(), this->CellTones[i].Texture->GetTextureUnit());
+    }
+  }
+}
+
+void vtkPatternMapperHelper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->AppendedPoints.clear();
+  for (CellTone& tone : this->CellTones)
+  {
+    tone.Values.clear();
+  }
+  this->Superclass::BuildBufferObjects(renderer, actor);
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  for (CellTone& tone : this->CellTones)
+  {
+    if (tone.Values.empty())
+    {
+      tone.Texture = nullptr;
+      continue;
+    }
+    tone.Buffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
+    tone.Buffer->SetType(vtkOpenGLBufferObject::TextureBuffer);
+    tone.Buffer->Upload(tone.Values, vtkOpenGLBufferObject::TextureBuffer);
+    tone.Texture = vtkSmartPointer<vtkTextureObject>::New();
+    tone.Texture->SetContext(window);
+    tone.Texture->CreateTextureBuffer(
+      static_cast<unsigned int>(tone.Values.size() / 2), 2, VTK_FLOAT, tone.Buffer);
+    tone.Values.clear();
+    tone.Values.shrink_to_fit();
+  }
+}
+
+void vtkPatternMapperHelper::AppendPointTones(vtkPolyData* poly)
+{
+  const auto& channels = this->GetMapper()->GetToneChannels().Get();
+  for (std::size_t i = 0; i < channels.size(); ++i)
+  {
+    if (!IsArray(channels[i], false))
+    {
+      continue;
+    }
+    const std::vector<float> values = vtkPatternToneChannels::Values(channels[i], poly);
+    vtkNew<vtkFloatArray> tones;
+    tones->SetNumberOfComponents(2);
+    tones->SetNumberOfTuples(poly->GetNumberOfPoints());
+    std::copy(values.begin(), values.end(), tones->GetPointer(0));
+    const std::string name = "hachureTone" + std::to_string(i) + "MC";
+    this->VBOs->AppendDataArray(name.c_str(), tones, VTK_FLOAT);
+  }
+}
+
+void vtkPatternMapperHelper::AppendCellTones(vtkPatternHelperData* data, int representation)
+{
+  vtkPolyData* poly = data->Data;
+  vtkCellArray* primitives[4] = { poly->GetVerts(), poly->GetLines(), poly->GetPolys(),
+    poly->GetStrips() };
+  const auto& channels = this->GetMapper()->GetToneChannels().Get();
+  for (std::size_t i = 0; i < channels.size(); ++i)
+  {
+    if (!IsArray(channels[i], true))
+    {
+      continue;
+    }
+    data->CellCellMap->Update(primitives, representation, poly->GetPoints());
+    const std::vector<float> values = vtkPatternToneChannels::Values(channels[i], poly);
+    std::vector<float>& all = this->CellTones[i].Values;
+    for (std::size_t primitive = 0; primitive < data->CellCellMap->GetSize(); ++primitive)
+    {
+      const auto cell = static_cast<std::size_t>(data->CellCellMap->GetValue(primitive));
+      const bool known = 2 * cell + 1 < values.size();
+      all.push_back(known ? values[2 * cell] : 0.0f);
+      all.push_back(known ? values[2 * cell + 1] : 0.0f);
+    }
+  }
+}
+
+void vtkPatternMapperHelper::AppendOneBufferObject(vtkRenderer* renderer, vtkActor* actor,
+  vtkPatternHelperData* data, vtkIdType& offset, std::vector<unsigned char>& colors,
+  std::vector<float>& normals)
+{
+  vtkPolyData* poly = data->Data;
+  const bool hasPoints = poly->GetPoints() && poly->GetNumberOfPoints() > 0;
+  // Blocks that share points share VTK's vertices: their tones must be appended once, too.
+  if (hasPoints && this->AppendedPoints.insert(poly->GetPoints()->GetData()).second)
+  {
+    this->AppendPointTones(poly);
+  }
+  this->Superclass::AppendOneBufferObject(renderer, actor, data, offset, colors, normals);
+  if (hasPoints)
+  {
+    this->AppendCellTones(data, actor->GetProperty()->GetRepresentation());
+  }
+}
+
+void vtkPatternMapperHelper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (CellTone& tone : this->CellTones)
+  {
+    if (tone.Texture)
+    {
+      tone.Texture->ReleaseGraphicsResources(window);
+      tone.Texture = nullptr;
+    }
+    if (tone.Buffer)
+    {
+      tone.Buffer->ReleaseGraphicsResources();
+      tone.Buffer = nullptr;
+    }
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}

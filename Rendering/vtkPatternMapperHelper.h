@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Draws the blocks of a vtkPatternMapper that share a vertex layout: adds the tone arrays to VTK's
+ * buffers, and draws either the surfaces or everything else.
+ */
+#ifndef vtkPatternMapperHelper_h
+#define vtkPatternMapperHelper_h
+
+#include "vtkHachureCompatibility.h"
+
+#include "vtkColor.h"
+#include "vtkCompositeMapperHelper2.h"
+#include "vtkPatternCompositeMapper.h"
+#include "vtkPatternToneChannels.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <set>
+#include <vector>
+
+class vtkOpenGLBufferObject;
+class vtkPatternMapper;
+class vtkTextureObject;
+
+class vtkPatternMapperHelper : public vtkPatternHelperBase
+{
+public:
+  static vtkPatternMapperHelper* New();
+  vtkTypeMacro(vtkPatternMapperHelper, vtkPatternHelperBase);
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkPatternMapperHelper() = default;
+  ~vtkPatternMapperHelper() override = default;
+
+  void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+  void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
+  void AppendOneBufferObject(vtkRenderer* renderer, vtkActor* actor, vtkPatternHelperData* data,
+    vtkIdType& offset, std::vector<unsigned char>& colors, std::vector<float>& normals) override;
+
+private:
+  struct CellTone
+  {
+    std::vector<float> Values;
+    vtkSmartPointer<vtkOpenGLBufferObject> Buffer;
+    vtkSmartPointer<vtkTextureObject> Texture;
+  };
+  vtkPatternMapper* GetMapper();
+  void DrawSelection(vtkRenderer* renderer, vtkActor* actor);
+  void AppendPointTones(vtkPolyData* poly);
+  void AppendCellTones(vtkPatternHelperData* data, int representation);
+
+  std::array<CellTone, vtkPatternToneChannels::Maximum> CellTones;
+  std::set<vtkDataArray*> AppendedPoints;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkPatternMapperHelper.h

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPatternSamples.h"
+
+#include "vtkCellArray.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStratifiedSurfaceSampler.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace
+{
+std::uint64_t Mix(std::uint64_t hash, std::uint64_t value)
+{
+  hash ^= value + 0x9e3779b97f4a7c15ULL + (hash << 6) + (hash >> 2);
+  return hash;
+}
+
+// Content of a cell array: filters often hand over equal connectivity in a new array.
+std::uint64_t HashCells(vtkCellArray* cells)
+{
+  std::uint64_t hash = static_cast<std::uint64_t>(cells->GetNumberOfCells());
+  vtkDataArray* connectivity = cells->GetConnectivityArray();
+  const vtkIdType count = connectivity->GetNumberOfValues();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    hash = Mix(hash, static_cast<std::uint64_t>(connectivity->GetComponent(i, 0)));
+  }
+  return hash;
+}
+
+glm::dvec3 Point(vtkPolyData* data, long long id)
+{
+  glm::dvec3 point;
+  data->GetPoint(id, &point[0]);
+  return point;
+}
+} // namespace
+
+std::vector<vtkPatternSamples::Block> vtkPatternSamples::Collect(
+  vtkDataObject* input, const std::vector<Block>& previous)
+{
+  std::vector<vtkPolyData*> leaves;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> iterator;
+    iterator.TakeReference(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      leaves.push_back(vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()));
+    }
+  }
+  else
+  {
+    leaves.push_back(vtkPolyData::SafeDownCast(input));
+  }
+
+  std::vector<Block> blocks;
+  for (vtkPolyData* leaf : leaves)
+  {
+    if (!leaf || !leaf->GetPoints())
+    {
+      continue;
+    }
+    Block block;
+    block.Data = leaf;
+    block.PointCount = static_cast<std::uint64_t>(leaf->GetNumberOfPoints());
+    block.PointTime =
+      std::max(leaf->GetPoints()->GetMTime(), leaf->GetPoints()->GetData()->GetMTime());
+    block.CellTime = std::max(leaf->GetPolys()->GetMTime(), leaf->GetStrips()->GetMTime());
+    const std::size_t index = blocks.size();
+    const bool known = index < previous.size() && previous[index].CellTime == block.CellTime &&
+      previous[index].PointCount == block.PointCount;
+    block.CellHash = known ? previous[index].CellHash
+                           : Mix(HashCells(leaf->GetPolys()), HashCells(leaf->GetStrips()));
+    blocks.push_back(block);
+  }
+  return blocks;
+}
+
+bool vtkPatternSamples::Update(vtkDataObject* input, const Options& options)
+{
+  std::vector<Block> blocks = Collect(input, this->Blocks);
+  bool sameCells =
+    blocks.size() == this->Blocks.size() && !(options != this->Current) && this->SetVersion > 0;
+  bool samePoints = sameCells;
+  for (std::size_t i = 0; sameCells && i < blocks.size(); ++i)
+  {
+    sameCells = blocks[i].CellHash == this->Blocks[i].CellHash &&
+      blocks[i].PointCount == this->Blocks[i].PointCount;
+    samePoints = samePoints && blocks[i].PointTime == this->Blocks[i].PointTime &&
+      blocks[i].Data == this->Blocks[i].Data;
+  }
+  this->Blocks = std::move(blocks);
+  if (sameCells && samePoints)
+  {
+    return false;
+  }
+  if (!sameCells)
+  {
+    this->Sample(input, options);
+  }
+  this->Move();
+  return true;
+}
+
+void vtkPatternSamples::Sample(vtkDataObject* input, const Options& options)
+{
+  this->Current = options;
+  ++this->SetVersion;
+  vtkNew<vtkStratifiedSurfaceSampler> sampler;
+  sampler->SetInputDataObject(input);
+  sampler->SetSamplesPerPatch(options.SamplesPerPatch);
+  sampler->SetSeed(options.Seed);
+  sampler->Update();
+  vtkPolyData* samples = sampler->GetOutput();
+  const vtkIdType count = samples->GetNumberOfPoints();
+  vtkPointData* arrays = samples->GetPointData();
+  vtkDataArray* corners = arrays->GetArray("PointIds");
+  vtkDataArray* weights = arrays->GetArray("Barycentrics");
+  vtkDataArray* patches = arrays->GetArray("PatchId");
+  vtkDataArray* normals = arrays->GetArray("Normals");
+  vtkDataArray* blockIds = arrays->GetArray("BlockIndex");
+  vtkDataArray* spacing = samples->GetFieldData()->GetArray("PatchSpacing");
+
+  this->SampleBlock.clear();
+  this->SampleCorners.clear();
+  this->Barycentrics.clear();
+  this->Patches.clear();
+  this->Orientation.clear();
+  this->PatchSpacing.clear();
+  for (vtkIdType i = 0; spacing && i < spacing->GetNumberOfTuples(); ++i)
+  {
+    this->PatchSpacing.push_back(spacing->GetComponent(i, 0));
+  }
+  if (count == 0)
+  {
+    return;
+  }
+
+  // Flat composite index of each sample's block, in the order of Collect().
+  std::vector<unsigned int> flat;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> iterator;
+    iterator.TakeReference(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      auto* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject());
+      if (leaf && leaf->GetPoints())
+      {
+        flat.push_back(iterator->GetCurrentFlatIndex());
+      }
+    }
+  }
+  else
+  {
+    flat.push_back(0);
+  }
+
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const auto block = static_cast<unsigned int>(blockIds->GetComponent(i, 0));
+    const auto found = std::find(flat.begin(), flat.end(), block);
+    this->SampleBlock.push_back(static_cast<std::uint32_t>(found - flat.begin()));
+    this->SampleCorners.push_back({ static_cast<long long>(corners->GetComponent(i, 0)),
+      static_cast<long long>(corners->GetComponent(i, 1)),
+      static_cast<long long>(corners->GetComponent(i, 2)) });
+    this->Barycentrics.emplace_back(
+      weights->GetComponent(i, 0), weights->GetComponent(i, 1), weights->GetComponent(i, 2));
+    this->Patches.push_back(static_cast<std::int32_t>(patches->GetComponent(i, 0)));
+    vtkPolyData* data = this->Blocks[this->SampleBlock.back()].Data;
+    const auto& ids = this->SampleCorners.back();
+    const glm::dvec3 a = Point(data, ids[0]);
+    const glm::dvec3 winding = glm::cross(Point(data, ids[1]) - a, Point(data, ids[2]) - a);
+    const glm::dvec3 outward(
+      normals->GetComponent(i, 0), normals->GetComponent(i, 1), normals->GetComponent(i, 2));
+    this->Orientation.push_back(glm::dot(winding, outward) < 0.0 ? -1 : 1);
+  }
+}
+
+void vtkPatternSamples::Move()
+{
+  ++this->PositionVersion;
+  const std::size_t count = this->SampleCorners.size();
+  this->Positions.resize(count);
+  this->Normals.resize(count);
+  glm::dvec3 lower(0.0);
+  glm::dvec3 upper(0.0);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    vtkPolyData* data = this->Blocks[this->SampleBlock[i]].Data;
+    const auto& ids = this->SampleCorners[i];
+    const glm::dvec3 a = Point(data, ids[0]);
+    const glm::dvec3 b = Point(data, ids[1]);
+    const glm::dvec3 c = Point(data, ids[2]);
+    const glm::dvec3& w = this->Barycentrics[i];
+    this->Positions[i] = w.x * a + w.y * b + w.z * c;
+    const glm::dvec3 winding = glm::cross(b - a, c - a);
+    const double length = glm::length(winding);
+    this->Normals[i] = length > 0.0 ? winding * (this->Orientation[i] / length) : glm::dvec3(0.0);
+    lower = i == 0 ? this->Positions[i] : glm::min(lower, this->Positions[i]);
+    upper = i == 0 ? this->Positions[i] : glm::max(upper, this->Positions[i]);
+  }
+  this->Center = 0.5 * (lower + upper);
+}
+
+hachure::TrackedSamples vtkPatternSamples::Tracked() const
+{
+  hachure::TrackedSamples tracked;
+  tracked.positions = this->Positions;
+  tracked.normals = this->Normals;
+  tracked.patches = this->Patches;
+  tracked.patchSpacing = this->PatchSpacing;
+  return tracked;
+}
+
+double vtkPatternSamples::Spacing(std::size_t sample) const
+{
+  const auto patch = static_cast<std::size_t>(this->Patches[sample]);
+  return patch < this->PatchSpacing.size() ? this->PatchSpacing[patch] : 0.0;
+}

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The samples of a mapper's input that steer its pattern, kept on the surface while it deforms.
+ */
+#ifndef vtkPatternSamples_h
+#define vtkPatternSamples_h
+
+#include "SampleProjection.h"
+
+#include <glm/vec3.hpp>
+
+#include <array>
+
+#include <cstdint>
+#include <vector>
+
+class vtkDataObject;
+class vtkPolyData;
+
+class vtkPatternSamples
+{
+public:
+  struct Options
+  {
+    int SamplesPerPatch = 500;
+    std::uint32_t Seed = 1;
+    bool operator!=(const Options& other) const
+    {
+      return this->SamplesPerPatch != other.SamplesPerPatch || this->Seed != other.Seed;
+    }
+  };
+
+  /// Brings the samples up to date with polydata or a composite of polydata. New connectivity makes
+  /// new samples, new coordinates only move them. Returns true where anything changed.
+  bool Update(vtkDataObject* input, const Options& options);
+
+  hachure::TrackedSamples Tracked() const;
+  std::size_t Count() const { return this->Positions.size(); }
+  /// Rises with every new set of samples, and with every change of positions.
+  std::uint64_t GetSetVersion() const { return this->SetVersion; }
+  std::uint64_t GetPositionVersion() const { return this->PositionVersion; }
+  const std::vector<glm::dvec3>& GetPositions() const { return this->Positions; }
+  double Spacing(std::size_t sample) const;
+  /// Middle of the samples' bounding box: coordinates about it keep their digits in float.
+  glm::dvec3 GetCenter() const { return this->Center; }
+
+private:
+  struct Block
+  {
+    vtkPolyData* Data = nullptr;
+    std::uint64_t CellTime = 0;
+    std::uint64_t PointTime = 0;
+    std::uint64_t PointCount = 0;
+    std::uint64_t CellHash = 0;
+  };
+  static std::vector<Block> Collect(vtkDataObject* input, const std::vector<Block>& previous);
+  void Sample(vtkDataObject* input, const Options& options);
+  void Move();
+
+  std::vector<Block> Blocks;
+  Options Current;
+  std::vector<std::uint32_t> SampleBlock;              // index into Blocks
+  std::vector<std::array<long long, 3>> SampleCorners; // point ids
+  std::vector<glm::dvec3> Barycentrics;
+  std::vector<glm::dvec3> Positions;
+  std::vector<glm::dvec3> Normals;
+  std::vector<std::int32_t> Patches;
+  std::vector<double> PatchSpacing;
+  std::vector<signed char> Orientation; // -1 where the triangle's winding points inward
+  glm::dvec3 Center{ 0.0 };
+  std::uint64_t SetVersion = 0;
+  std::uint64_t PositionVersion = 0;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkPatternSamples.h

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPatternShaderInjector.h"
+
+#include "PatternSurface.h"
+#include "vtkObjectFactory.h"
+#include "vtkPatternTone.h"
+#include "vtkShaderProgram.h"
+
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkPatternShaderInjector);
+
+namespace
+{
+// The text between "//Section name" and the next section.
+std::string Section(const std::string& name)
+{
+  static const std::string all = PatternSurface;
+  const std::string head = "//Section " + name + "\n";
+  const std::size_t found = all.find(head);
+  if (found == std::string::npos)
+  {
+    throw std::logic_error("shader section " + name);
+  }
+  const std::size_t begin = found + head.size();
+  const std::size_t end = all.find("//Section ", begin);
+  return all.substr(begin, end == std::string::npos ? end : end - begin);
+}
+
+std::string ForChannel(const std::string& name, std::size_t channel)
+{
+  std::string text = Section(name);
+  const std::string number = std::to_string(channel);
+  vtkShaderProgram::Substitute(text, "ToneKMC", "Tone" + number + "MC");
+  vtkShaderProgram::Substitute(text, "ToneKVS", "Tone" + number + "VS");
+  vtkShaderProgram::Substitute(text, "ToneKGS", "Tone" + number + "GS");
+  vtkShaderProgram::Substitute(text, "CellToneK", "CellTone" + number);
+  vtkShaderProgram::Substitute(text, "ArrayK", "Array" + number);
+  vtkShaderProgram::Substitute(text, "[K]", "[" + number + "]");
+  return text;
+}
+
+const char* const beforeLight = "//Hachure::BeforeLight";
+const char* const afterLight = "//Hachure::AfterLight";
+const char* const output = "//Hachure::Output";
+} // namespace
+
+void vtkPatternShaderInjector::Configure(StageType stage, const vtkPatternToneChannels& channels,
+  bool flatPaper, const std::string& composeText)
+{
+  if (this->ConfigureTime.GetMTime() > 0 && stage == this->Stage && channels == this->Channels &&
+    flatPaper == this->FlatPaper && composeText == this->ComposeText)
+  {
+    return;
+  }
+  this->Stage = stage;
+  this->Channels = channels;
+  this->FlatPaper = flatPaper;
+  this->ComposeText = composeText;
+  this->ConfigureTime.Modified();
+}
+
+bool vtkPatternShaderInjector::Place(
+  std::string& shader, const std::string& tag, const std::string& text)
+{
+  if (!vtkShaderProgram::Substitute(shader, tag, text, false))
+  {
+    vtkErrorMacro("VTK's surface shader has no tag " << tag
+                                                     << "; the pattern cannot be drawn with this "
+                                                        "version of VTK");
+    return false;
+  }
+  return true;
+}
+
+bool vtkPatternShaderInjector::PreReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+{
+  std::string vertexDec;
+  std::string vertexImpl;
+  std::string geometryDec;
+  std::string geometryImpl;
+  std::string fragmentDec = Section("Dec") + this->ComposeText;
+  const auto& channels = this->Channels.Get();
+  for (std::size_t i = 0; i < channels.size(); ++i)
+  {
+    if (channels[i].Source != vtkPatternTone::ARRAY)
+    {
+      continue;
+    }
+    if (channels[i].OnCells)
+    {
+      fragmentDec += ForChannel("CellToneFSDec", i);
+    }
+    else
+    {
+      vertexDec += ForChannel("PointToneVSDec", i);
+      vertexImpl += ForChannel("PointToneVSImpl", i);
+      geometryDec += ForChannel("PointToneGSDec", i);
+      geometryImpl += ForChannel("PointToneGSImpl", i);
+      fragmentDec += ForChannel("PointToneFSDec", i);
+    }
+  }
+  bool placed =
+    this->Place(fragmentShader, "//VTK::TCoord::Dec", "//VTK::TCoord::Dec\n" + fragmentDec) &&
+    this->Place(fragmentShader, "//VTK::Light::Impl",
+      std::string(beforeLight) + "\n  //VTK::Light::Impl\n" + afterLight + "\n") &&
+    this->Place(
+      fragmentShader, "//VTK::TCoord::Impl", std::string("//VTK::TCoord::Impl\n") + output + "\n");
+  if (placed && !vertexDec.empty())
+  {
+    placed = this->Place(vertexShader, "//VTK::TCoord::Dec", "//VTK::TCoord::Dec\n" + vertexDec) &&
+      this->Place(vertexShader, "//VTK::TCoord::Impl", "//VTK::TCoord::Impl\n" + vertexImpl);
+    if (placed && !geometryShader.empty())
+    {
+      placed =
+        this->Place(geometryShader, "//VTK::TCoord::Dec", "//VTK::TCoord::Dec\n" + geometryDec) &&
+        this->Place(geometryShader, "//VTK::TCoord::Impl", "//VTK::TCoord::Impl\n" + geometryImpl);
+    }
+  }
+  return placed;
+}
+
+std::string vtkPatternShaderInjector::ToneText() const
+{
+  std::string text;
+  const auto& channels = this->Channels.Get();
+  for (std::size_t i = 0; i < channels.size(); ++i)
+  {
+    switch (channels[i].Source)
+    {
+      case vtkPatternTone::ARRAY:
+        text += ForChannel(channels[i].OnCells ? "CellToneFSImpl" : "PointToneFSImpl", i);
+        text += ForChannel("ToneArray", i);
+        break;
+      case vtkPatternTone::LIT_COLOR:
+        text += ForChannel("ToneLitColor", i);
+        break;
+      default:
+        text += ForChannel("ToneLit", i);
+    }
+  }
+  return text;
+}
+
+bool vtkPatternShaderInjector::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+{
+  // How VTK lit the surface shows in what it declared.
+  const bool physical = fragmentShader.find("vec3 Lo ") != std::string::npos;
+  const bool lit = physical || fragmentShader.find("vec3 diffuse ") != std::string::npos;
+  const std::string shading = physical ? "Physical" : lit ? "BlinnPhong" : "Unlit";
+  const bool edges = fragmentShader.find("float emix") != std::string::npos;
+
+  std::string text = Section(lit ? "NormalLit" : "NormalUnlit") +
+    Section(edges ? "EdgesOn" : "EdgesOff") + Section("ToneStart") + this->ToneText() +
+    (this->FlatPaper ? Section("FlatPaper") : std::string()) +
+    Section(this->Stage == ATTRIBUTES ? "Attributes" : "Forward");
+  return this->Place(fragmentShader, beforeLight, Section("BeforeLight" + shading)) &&
+    this->Place(fragmentShader, afterLight, Section("AfterLight" + shading)) &&
+    this->Place(fragmentShader, output, text);
+}
+
+bool vtkPatternShaderInjector::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  if (this->UniformSetter)
+  {
+    this->UniformSetter(program);
+  }
+  return true;
+}

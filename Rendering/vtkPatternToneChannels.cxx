@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPatternToneChannels.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkPatternLayer.h"
+#include "vtkPatternStyle.h"
+#include "vtkPatternTone.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+vtkPatternToneChannel Describe(vtkPatternTone* tone)
+{
+  vtkPatternToneChannel channel;
+  channel.Source = tone->GetSource();
+  if (channel.Source == vtkPatternTone::ARRAY)
+  {
+    channel.ArrayName = tone->GetArrayName() ? tone->GetArrayName() : "";
+    channel.Association = tone->GetArrayAssociation();
+    channel.Component = tone->GetComponent();
+    channel.Range = { tone->GetRange()[0], tone->GetRange()[1] };
+  }
+  return channel;
+}
+
+std::vector<vtkPolyData*> Leaves(vtkDataObject* input)
+{
+  std::vector<vtkPolyData*> leaves;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> iterator;
+    iterator.TakeReference(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      if (auto* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
+      {
+        leaves.push_back(leaf);
+      }
+    }
+  }
+  else if (auto* leaf = vtkPolyData::SafeDownCast(input))
+  {
+    leaves.push_back(leaf);
+  }
+  return leaves;
+}
+
+vtkAbstractArray* FindArray(vtkPolyData* block, const std::string& name, bool onCells)
+{
+  vtkDataSetAttributes* data = onCells ? static_cast<vtkDataSetAttributes*>(block->GetCellData())
+                                       : static_cast<vtkDataSetAttributes*>(block->GetPointData());
+  return data->GetAbstractArray(name.c_str());
+}
+
+bool FoundAnywhere(const std::vector<vtkPolyData*>& leaves, const std::string& name, bool onCells)
+{
+  return std::any_of(leaves.begin(), leaves.end(),
+    [&](vtkPolyData* leaf) { return FindArray(leaf, name, onCells) != nullptr; });
+}
+
+// What is wrong with a block's array, empty where nothing is.
+std::string Complaint(const vtkPatternToneChannel& channel, vtkAbstractArray* found)
+{
+  std::ostringstream text;
+  auto* array = vtkDataArray::SafeDownCast(found);
+  if (!array)
+  {
+    text << "tone array '" << channel.ArrayName << "' is a " << found->GetClassName()
+         << "; expected numbers";
+  }
+  else if (channel.Component >= array->GetNumberOfComponents())
+  {
+    text << "tone array '" << channel.ArrayName << "' has " << array->GetNumberOfComponents()
+         << " components; component " << channel.Component << " was asked for";
+  }
+  return text.str();
+}
+
+std::string Resolve(vtkPatternToneChannel& channel, const std::vector<vtkPolyData*>& leaves)
+{
+  std::ostringstream text;
+  if (!(std::isfinite(channel.Range[0]) && std::isfinite(channel.Range[1])) ||
+    channel.Range[0] == channel.Range[1])
+  {
+    text << "tone range of array '" << channel.ArrayName << "' is [" << channel.Range[0] << ", "
+         << channel.Range[1] << "]; expected two different finite numbers";
+    return text.str();
+  }
+  const bool points =
+    channel.Association != vtkPatternTone::CELLS && FoundAnywhere(leaves, channel.ArrayName, false);
+  channel.OnCells = !points && channel.Association != vtkPatternTone::POINTS &&
+    FoundAnywhere(leaves, channel.ArrayName, true);
+  if (!points && !channel.OnCells)
+  {
+    static const char* const places[] = { "point or cell", "point", "cell" };
+    text << "no " << places[channel.Association] << " array '" << channel.ArrayName
+         << "' to take the tone from; the surface is drawn as one without data";
+    return leaves.empty() ? std::string() : text.str();
+  }
+  for (vtkPolyData* leaf : leaves)
+  {
+    vtkAbstractArray* array = FindArray(leaf, channel.ArrayName, channel.OnCells);
+    std::string complaint = array ? Complaint(channel, array) : std::string();
+    if (!complaint.empty())
+    {
+      return complaint;
+    }
+  }
+  return {};
+}
+} // namespace
+
+bool vtkPatternToneChannel::operator==(const vtkPatternToneChannel& other) const
+{
+  return this->Source == other.Source && this->ArrayName == other.ArrayName &&
+    this->Association == other.Association && this->Component == other.Component &&
+    this->Range == other.Range && this->OnCells == other.OnCells;
+}
+
+void vtkPatternToneChannels::Collect(
+  vtkPatternStyle* style, vtkDataObject* input, std::string& error)
+{
+  this->Channels.clear();
+  const std::vector<vtkPolyData*> leaves = Leaves(input);
+  for (int i = 0; i < style->GetNumberOfLayers(); ++i)
+  {
+    vtkPatternLayer* layer = style->GetLayer(i);
+    if (!layer->GetEnabled() || layer->GetTone()->GetSource() == vtkPatternTone::CONSTANT ||
+      this->Find(layer->GetTone()) >= 0)
+    {
+      continue;
+    }
+    vtkPatternToneChannel channel = Describe(layer->GetTone());
+    if (this->Channels.size() == Maximum)
+    {
+      error = "a style may use 3 different tones besides constants; the one of layer " +
+        std::to_string(i) + " is one too many";
+      return;
+    }
+    if (channel.Source == vtkPatternTone::ARRAY && error.empty())
+    {
+      error = Resolve(channel, leaves);
+    }
+    else if (channel.Source == vtkPatternTone::ARRAY)
+    {
+      Resolve(channel, leaves);
+    }
+    this->Channels.push_back(channel);
+  }
+}
+
+int vtkPatternToneChannels::Find(vtkPatternTone* tone) const
+{
+  vtkPatternToneChannel wanted = Describe(tone);
+  for (std::size_t i = 0; i < this->Channels.size(); ++i)
+  {
+    wanted.OnCells = this->Channels[i].OnCells; // found, not asked for
+    if (wanted == this->Channels[i])
+    {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+std::vector<float> vtkPatternToneChannels::Values(
+  const vtkPatternToneChannel& channel, vtkPolyData* block)
+{
+  const vtkIdType count = channel.OnCells ? block->GetNumberOfCells() : block->GetNumberOfPoints();
+  std::vector<float> values(2 * static_cast<std::size_t>(count), 0.0f);
+  auto* array = vtkDataArray::SafeDownCast(FindArray(block, channel.ArrayName, channel.OnCells));
+  const double extent = channel.Range[1] - channel.Range[0];
+  if (!array || array->GetNumberOfTuples() < count ||
+    channel.Component >= array->GetNumberOfComponents() || extent == 0.0)
+  {
+    return values;
+  }
+  const int components = array->GetNumberOfComponents();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double value = 0.0;
+    if (channel.Component >= 0)
+    {
+      value = array->GetComponent(i, channel.Component);
+    }
+    else
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        value = std::hypot(value, array->GetComponent(i, c));
+      }
+    }
+    if (std::isfinite(value))
+    {
+      // Far outside the range all tones are alike; floats stay small enough to interpolate well.
+      constexpr double bound = 1e6;
+      const auto index = 2 * static_cast<std::size_t>(i);
+      values[index] =
+        static_cast<float>(std::clamp((value - channel.Range[0]) / extent, -bound, bound));
+      values[index + 1] = 1.0f;
+    }
+  }
+  return values;
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The tones that the attribute stage has to produce for a style: each distinct source once.
+ */
+#ifndef vtkPatternToneChannels_h
+#define vtkPatternToneChannels_h
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkDataObject;
+class vtkPatternStyle;
+class vtkPatternTone;
+class vtkPolyData;
+
+struct vtkPatternToneChannel
+{
+  int Source = 0; // vtkPatternTone::SourceType, never CONSTANT
+  std::string ArrayName;
+  int Association = 0;
+  int Component = 0;
+  std::array<double, 2> Range = { 0.0, 1.0 };
+  bool OnCells = false; // found among the cells' arrays
+
+  bool operator==(const vtkPatternToneChannel& other) const;
+};
+
+class vtkPatternToneChannels
+{
+public:
+  /// Channels that fit the attribute image beside the normal.
+  static constexpr std::size_t Maximum = 3;
+
+  /// Channels of the style's enabled layers. Where an array is missing, not numeric, has too few
+  /// components or an empty range, `error` says so and the channel keeps its place without data.
+  void Collect(vtkPatternStyle* style, vtkDataObject* input, std::string& error);
+
+  const std::vector<vtkPatternToneChannel>& Get() const { return this->Channels; }
+  /// Channel of a tone, or -1 for a constant.
+  int Find(vtkPatternTone* tone) const;
+  bool operator==(const vtkPatternToneChannels& other) const
+  {
+    return this->Channels == other.Channels;
+  }
+
+  /// (tone before clamping, 1) per tuple of a block's array, (0, 0) where it has no number.
+  static std::vector<float> Values(const vtkPatternToneChannel& channel, vtkPolyData* block);
+
+private:
+  std::vector<vtkPatternToneChannel> Channels;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkPatternToneChannels.h

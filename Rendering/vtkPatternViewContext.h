@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What patterns must remember from frame to frame in one renderer.
+ *
+ * The state of a pattern belongs to (renderer, mapper, actor): two views of one object move their
+ * patterns independently. It lives in the renderer's information. The renderer's StartEvent opens
+ * a frame; in it the first full drawing of an object advances its pattern, and every further
+ * drawing (the other eye, depth peeling) finds it there. Tiles of a screenshot and stand-ins of
+ * lower detail never advance it: they draw what an advance would give. The renderer's EndEvent
+ * measures which samples the finished picture shows.
+ */
+#ifndef vtkPatternViewContext_h
+#define vtkPatternViewContext_h
+
+#include "PatternTracker.h"
+#include "vtkObject.h"
+#include "vtkPatternSamples.h"
+#include "vtkPatternVisibility.h"
+#include "vtkPatternWindowResources.h"
+#include "vtkWeakPointer.h"
+
+#include <memory>
+#include <vector>
+
+class vtkActor;
+class vtkPatternMapper;
+class vtkRenderer;
+struct vtkPatternViewport;
+
+class vtkPatternViewContext : public vtkObject
+{
+public:
+  static vtkPatternViewContext* New();
+  vtkTypeMacro(vtkPatternViewContext, vtkObject);
+
+  /// The context of a renderer, made where there is none.
+  static vtkPatternViewContext* Get(vtkRenderer* renderer);
+  /// The context of a renderer, null where there is none.
+  static vtkPatternViewContext* Find(vtkRenderer* renderer);
+
+  struct Track
+  {
+    vtkWeakPointer<vtkPatternMapper> Mapper;
+    vtkWeakPointer<vtkActor> Actor;
+    vtkPatternSamples Samples;
+    hachure::PatternTracker Tracker;
+    hachure::ViewProjection View; // of the last advance
+    std::uint64_t SetVersion = 0;
+    unsigned long Frame = 0; // the frame of the last advance
+    vtkPatternVisibility Visibility;
+    std::vector<hachure::PatternFrame> Frames; // to draw
+  };
+
+  /// The track of an object; `lowDetail` for a stand-in that only looks on.
+  Track* Advance(
+    vtkPatternMapper* mapper, vtkActor* actor, const vtkPatternViewport& viewport, bool lowDetail);
+  /// The track of an object where there is one.
+  Track* FindTrack(vtkPatternMapper* mapper, vtkActor* actor);
+  /// Forgets how the patterns of a mapper have moved.
+  void Reanchor(vtkPatternMapper* mapper);
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+protected:
+  vtkPatternViewContext();
+  ~vtkPatternViewContext() override;
+
+private:
+  void Attach(vtkRenderer* renderer);
+  void StartFrame();
+  void EndFrame();
+  void Predict(Track& track, const hachure::ViewProjection& view, bool rightEye, bool lookOn);
+
+  vtkRenderer* Renderer = nullptr; // owns this object
+  std::vector<std::unique_ptr<Track>> Tracks;
+  std::shared_ptr<vtkPatternWindowResources> Resources;
+  unsigned long FrameNumber = 1;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkPatternViewContext.h

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPatternWindowResources.h"
+
+#include "vtkHachureCompatibility.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+
+#include <map>
+
+std::shared_ptr<vtkPatternWindowResources> vtkPatternWindowResources::Get(
+  vtkOpenGLRenderWindow* window)
+{
+  static std::map<vtkOpenGLRenderWindow*, std::weak_ptr<vtkPatternWindowResources>> all;
+  std::shared_ptr<vtkPatternWindowResources> resources = all[window].lock();
+  if (!resources)
+  {
+    resources = std::make_shared<vtkPatternWindowResources>();
+    all[window] = resources;
+  }
+  return resources;
+}
+
+bool vtkPatternWindowResources::Prepare(vtkOpenGLRenderWindow* window)
+{
+  const int* size = window->GetActualSize();
+  const auto width = static_cast<unsigned int>(size[0]);
+  const auto height = static_cast<unsigned int>(size[1]);
+  if (this->SurfaceColor->GetHandle() && this->SurfaceColor->GetWidth() == width &&
+    this->SurfaceColor->GetHeight() == height)
+  {
+    return true;
+  }
+  this->ReleaseGraphicsResources(window);
+  for (vtkTextureObject* texture :
+    { this->SurfaceColor.Get(), this->SurfaceData.Get(), this->SurfaceDepth.Get() })
+  {
+    texture->SetContext(window);
+    texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  }
+  this->SurfaceColor->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR);
+  this->SurfaceData->Allocate2D(width, height, 4, VTK_FLOAT);
+  this->SurfaceDepth->AllocateDepth(width, height, vtkTextureObject::Fixed32);
+
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->AttributeFramebuffer->SetContext(window);
+  this->AttributeFramebuffer->Bind();
+  this->AttributeFramebuffer->AddColorAttachment(0, this->SurfaceColor);
+  this->AttributeFramebuffer->AddColorAttachment(1, this->SurfaceData);
+  this->AttributeFramebuffer->AddDepthAttachment(this->SurfaceDepth);
+  this->AttributeFramebuffer->ActivateDrawBuffers(2);
+  const bool complete = this->AttributeFramebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER) != 0;
+  state->PopFramebufferBindings();
+  return complete;
+}
+
+vtkTextureObject* vtkPatternWindowResources::CaptureDepth(
+  vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle)
+{
+  const int* size = window->GetActualSize();
+  vtkOpenGLState* state = window->GetState();
+  int source = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
+  state->PushFramebufferBindings();
+  if (!this->DepthFramebuffer->GetFBOIndex() || this->DepthSize[0] != size[0] ||
+    this->DepthSize[1] != size[1])
+  {
+    // Depth can only be copied between equal formats: made the way the window makes its own.
+    this->DepthFramebuffer->ReleaseGraphicsResources(window);
+    this->DepthFramebuffer->SetContext(window);
+    constexpr int depthBits = 32;
+    this->DepthFramebuffer->PopulateFramebuffer(size[0], size[1], true, 1, VTK_UNSIGNED_CHAR, true,
+      depthBits, 0, window->GetStencilCapable() != 0);
+    this->DepthSize = { size[0], size[1] };
+  }
+  this->DepthFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(source));
+  const int right = rectangle[0] + rectangle[2];
+  const int top = rectangle[1] + rectangle[3];
+  vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglBlitFramebuffer(rectangle[0], rectangle[1], right, top, rectangle[0], rectangle[1],
+    right, top, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  state->PopFramebufferBindings();
+  return this->DepthFramebuffer->GetDepthAttachmentAsTextureObject();
+}
+
+void vtkPatternWindowResources::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->AttributeFramebuffer->ReleaseGraphicsResources(window);
+  this->DepthFramebuffer->ReleaseGraphicsResources(window);
+  this->SurfaceColor->ReleaseGraphicsResources(window);
+  this->SurfaceData->ReleaseGraphicsResources(window);
+  this->SurfaceDepth->ReleaseGraphicsResources(window);
+  this->DepthSize = { 0, 0 };
+}

@@ -13,6 +13,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkReverseSense.h>
 #include <vtkSmartPointer.h>
 #include <vtkSphereSource.h>
 #include <vtkTable.h>
@@ -54,13 +55,16 @@ struct Scene
   vtkNew<vtkCamera> after;
   vtkNew<vtkSimilarityTracker> tracker;
 
-  Scene()
+  explicit Scene(bool insideOut = false)
   {
     this->sphere->SetCenter(0.4, 0.2, 0.0);
     this->sphere->SetThetaResolution(48);
     this->sphere->SetPhiResolution(24);
     vtkNew<vtkStratifiedSurfaceSampler> sampler;
-    sampler->SetInputConnection(this->sphere->GetOutputPort());
+    vtkNew<vtkReverseSense> reverse;
+    reverse->SetInputConnection(this->sphere->GetOutputPort());
+    sampler->SetInputConnection(
+      insideOut ? reverse->GetOutputPort() : this->sphere->GetOutputPort());
     sampler->Update();
     this->samples->DeepCopy(sampler->GetOutput());
     this->before->SetPosition(0.0, 0.0, 8.0);
@@ -119,9 +123,9 @@ bool testCameras()
 }
 
 // Turning the mesh is turning the camera the other way, whatever the orientation of the triangles.
-bool testMeshes()
+bool testMeshes(bool insideOut)
 {
-  Scene byCamera, byMesh;
+  Scene byCamera(insideOut), byMesh(insideOut);
   byCamera.after->Azimuth(-15.0);
   byMesh.tracker->SetInputData(2, byMesh.turnedSphere(15.0));
   bool good = true;
@@ -178,6 +182,9 @@ bool testWrongInput()
       array->DeepCopy(scene.samples->GetPointData()->GetArray("PointIds"));
       scene.samples->GetPointData()->AddArray(array);
     });
+  good &= refuses("'Barycentrics' has 7 tuples",
+    [](Scene& scene)
+    { scene.samples->GetPointData()->GetArray("Barycentrics")->SetNumberOfTuples(7); });
   good &= refuses("'PointIds' has 99999 at sample 3",
     [](Scene& scene)
     { scene.samples->GetPointData()->GetArray("PointIds")->SetComponent(3, 1, 99999); });
@@ -201,7 +208,8 @@ bool testWrongInput()
 int TestSimilarityTracker(int, char*[])
 {
   bool good = testCameras();
-  good &= testMeshes();
+  good &= testMeshes(false);
+  good &= testMeshes(true);
   good &= testEmpty();
   good &= testWrongInput();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;

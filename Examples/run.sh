@@ -27,7 +27,7 @@ logged()
   local log=build/logs/example-$1.log
   shift
   if ! "$@" >"$log" 2>&1; then
-    grep -E 'error:|Error' "$log" | head -20 >&2
+    grep -E '(^|[^A-Za-z])error:|CMake Error' "$log" | head -20 >&2
     tail -20 "$log" >&2
     fail "'$*' failed, see above and $PWD/$log"
   fi

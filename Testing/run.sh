@@ -39,7 +39,7 @@ step()
   rows+=("$(printf '%-28s %-8s %5d s' "$name" "$result" $((SECONDS - start)))")
   if [ "$result" = FAILED ]; then
     # Compilers say what is wrong before the end of the log; tests say it in it.
-    grep -E 'error:|Error|\*\*\*(Failed|Timeout|Exception)' "$logs/$name.log" | head -20
+    grep -E '(^|[^A-Za-z])error:|CMake Error|\*\*\*(Failed|Timeout|Exception)' "$logs/$name.log" | head -20
     tail -30 "$logs/$name.log"
     return 1
   fi

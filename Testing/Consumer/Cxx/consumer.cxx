@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A program of another project: the three libraries link, their headers are complete, and a style loads.
+// A program of another project: the three libraries link, their headers are complete, and a style
+// loads.
 
 #include <Core/Parallel.h>
 #include <Core/Span.h>

@@ -57,19 +57,32 @@ def glue_pieces(root):
     return pieces
 
 
+def stack(pieces, kernels):
+    """Declarations and calls of one layer of every kind with every blend mode, as they are drawn."""
+    declarations, calls = "", ""
+    kinds = [name for name in sorted(pieces) if name.endswith("Layer") and name != "PatternLayer"]
+    blends = re.findall(r"^vec3 (blend\w+)\(", kernels, re.MULTILINE) or ["mix"]
+    for number, (kind, blend) in enumerate((kind, blend) for kind in kinds for blend in blends):
+        text = pieces[kind] + pieces.get("PatternLayer", "")
+        text = text.replace("TONE", "tones[0]" if number % 2 else "hachureCurve@.z")
+        declarations += text.replace("BLEND", blend).replace("@", str(number))
+        calls += "  color = hachureLayer%d(color, position, tones);\n" % number
+    return declarations, calls
+
+
 def assemble(text, kernels, pieces):
     """A whole fragment shader: pieces for tags, VTK's outputs for gl_FragData."""
-    layers = [
-        piece.replace("@", str(number))
-        for number, (name, piece) in enumerate(sorted(pieces.items()))
-        if name.endswith("Layer")
-    ]
-    for name, piece in pieces.items():
-        if name.startswith("Pattern"):
-            tag = "//Hachure::" + name[len("Pattern"):] + "::Dec"
-            text = text.replace(tag, (kernels if name == "PatternCompose" else "") + piece)
-    text = text.replace("//Hachure::Layers::Dec", "\n".join(layers))
-    text = text.replace("//VTK::System::Dec", "#version %d" % GLUE_VERSION)
+    declarations, calls = stack(pieces, kernels)
+    outline, _, outline_call = pieces.get("PatternOutline", "").partition("//Section Call")
+    for tag, piece in (
+        ("//Hachure::Compose::Dec", kernels + pieces.get("PatternCompose", "")),
+        ("//Hachure::Outline::Dec", outline),
+        ("//Hachure::Outline::Impl", outline_call),
+        ("//Hachure::Layers::Dec", declarations),
+        ("//Hachure::Layers::Impl", calls),
+        ("//VTK::System::Dec", "#version %d" % GLUE_VERSION),
+    ):
+        text = text.replace(tag, piece)
     outputs = sorted(set(re.findall(r"gl_FragData\[(\d)\]", text)))
     declared = "\n".join("out vec4 fragOutput%s;" % output for output in outputs)
     text = text.replace("//VTK::Output::Dec", declared)

@@ -26,7 +26,7 @@ refuse "OpenMP only in Filters/Core/Parallel.h" '#[[:space:]]*pragma[[:space:]]+
 
 mapfile -t drawing < <(list_files '*.h' '*.cxx' | grep -E '^(Filters|Rendering|Plugin|Examples)/')
 refuse "shader text only in .glsl files" \
-  '"[^"]*(#version|\bgl_[A-Z][A-Za-z]+|\b(uniform|varying|attribute|in|out)[[:space:]]+(highp[[:space:]]+)?(float|u?int|[iub]?vec[234]|mat[234]|[iu]?sampler[A-Z0-9][A-Za-z0-9]*)\b|\btexelFetch\(|\btexture(Lod)?\(|\b[iu]?vec[234][[:space:]]*\()' \
+  '"[^"]*(#version +[0-9]|\bgl_[A-Z][A-Za-z]+|\b(uniform|varying|attribute|in|out)[[:space:]]+(highp[[:space:]]+)?(float|u?int|[iub]?vec[234]|mat[234]|[iu]?sampler[A-Z0-9][A-Za-z0-9]*)\b|\btexelFetch\(|\btexture(Lod)?\(|\b[iu]?vec[234][[:space:]]*\()' \
   "${drawing[@]}"
 
 mapfile -t kernels < <(list_files 'Filters/Core/Kernels/*.glsl')

@@ -141,6 +141,7 @@ int vtkPatternImageSource::RequestData(
   options.crossingAngle = this->CrossingAngle;
   options.delay = this->CrossingDelay;
   hachure::PatternTile tile;
+  vtkImageData* picture = nullptr;
   try
   {
     switch (this->Pattern)
@@ -152,8 +153,9 @@ int vtkPatternImageSource::RequestData(
         tile = hachure::halftoneTile(options);
         break;
       case IMAGE:
-        tile = pictureTile(vtkImageData::GetData(inputVector[0]),
-          this->GetInputArrayToProcess(0, inputVector), this->Periods);
+        picture = vtkImageData::GetData(inputVector[0]);
+        tile = pictureTile(
+          picture, picture ? this->GetInputArrayToProcess(0, inputVector) : nullptr, this->Periods);
         break;
       default:
         tile = hachure::hatchTile(options);

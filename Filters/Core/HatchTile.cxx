@@ -91,7 +91,7 @@ void addLines(std::vector<Stroke>& strokes, const Family& family, double hand, s
       // Golden-ratio phases keep the ends of neighbouring lines apart.
       const double phase = loop * goldenRatio + 0.12 * signedRandom(seed, id, 0);
       const double arc = (i + phase) * step / frequency;
-      const double offset = (loop + 0.5 + 0.10 * hand * signedRandom(seed, id, 1)) / frequency;
+      const double offset = (loop + 0.10 * hand * signedRandom(seed, id, 1)) / frequency;
       Stroke stroke;
       stroke.centre = { along.x * arc + across.x * offset, along.y * arc + across.y * offset };
       giveCharacter(stroke, hand, seed, id);
@@ -118,7 +118,7 @@ void addFillers(std::vector<Stroke>& strokes, const Family& family, double hand,
   for (int i = 0; i < loops * count; ++i)
   {
     const std::uint64_t id = firstId + i;
-    const double offset = (i % loops + 1.0 + 0.12 * signedRandom(seed, id, 1)) / frequency;
+    const double offset = (i % loops + 0.5 + 0.12 * signedRandom(seed, id, 1)) / frequency;
     const double arc = (i / loops + unitRandom(seed, id, 0)) * loopLength / count / frequency;
     Stroke stroke;
     stroke.centre = { along.x * arc + across.x * offset, along.y * arc + across.y * offset };
@@ -194,7 +194,7 @@ std::vector<PlacedStroke> placeStrokes(
   return placed;
 }
 
-// Triangle wave of ruled lines, dark in the middle between whole phases; whole-number arithmetic,
+// Triangle wave of ruled lines, dark at whole phases; whole-number arithmetic,
 // so that mirror images are equal to the last bit.
 double ruledCost(const Family& family, int size, int x, int y)
 {
@@ -202,7 +202,7 @@ double ruledCost(const Family& family, int size, int x, int y)
   const std::int64_t phase = (2 * static_cast<std::int64_t>(x) + 1) * family.kx +
     (2 * static_cast<std::int64_t>(y) + 1) * family.ky;
   const std::int64_t inTurn = (phase % turn + turn) % turn;
-  return static_cast<double>(std::abs(inTurn - size)) / size;
+  return static_cast<double>(size - std::abs(inTurn - size)) / size;
 }
 
 std::vector<float> ruledField(const Family& family, int size)

@@ -240,7 +240,7 @@ PatternTile halftoneTile(const HatchOptions& options)
   const double unevenness = 0.16 * options.irregularity;
   const double cell = static_cast<double>(options.periods) / size;
   std::vector<float> field(static_cast<std::size_t>(size) * size);
-  const auto ruled = [&](int x, int y) { return 0.5 + 0.25 * (cosine[x] + cosine[y]); };
+  const auto ruled = [&](int x, int y) { return 0.5 - 0.25 * (cosine[x] + cosine[y]); };
   const auto drawn = [&](int x, int y)
   {
     const double u = (x + 0.5) * cell;
@@ -249,7 +249,7 @@ PatternTile halftoneTile(const HatchOptions& options)
     { return cellNoise(u, v, options.periods, options.seed, dimension); };
     const double warpedU = u + displacement * noise(0);
     const double warpedV = v + displacement * noise(1);
-    return 0.5 + 0.25 * (std::cos(2.0 * pi * warpedU) + std::cos(2.0 * pi * warpedV)) +
+    return 0.5 - 0.25 * (std::cos(2.0 * pi * warpedU) + std::cos(2.0 * pi * warpedV)) +
       unevenness * noise(2);
   };
   parallelFor(size,

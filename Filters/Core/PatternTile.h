@@ -8,7 +8,10 @@
 #include <cstdint>
 #include <vector>
 
-// Tileable images that say at which tone every point takes ink.
+// Tileable images that say at which tone every point takes ink. The lines and dots of procedural
+// tiles lie on whole periods, counted from the lower left corner: there the half-size copy about
+// the origin, which takes over when a pattern grows, has marks as well, so that marks stay and new
+// ones come in between.
 namespace hachure
 {
 

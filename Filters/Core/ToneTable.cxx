@@ -15,8 +15,8 @@ namespace
 {
 
 // Places per tile side at which the drawn screen is measured, one per cell of a grid at a hashed
-// offset: the standard error of the ink share is far below .001.
-constexpr int placesPerSide = 160;
+// offset: the standard error of the ink share is below .001.
+constexpr int placesPerSide = 128;
 // Bins of the threshold axis. Kinks are split between bins, so that the response is exact at their
 // borders.
 constexpr int responseBins = 2048;

@@ -66,7 +66,7 @@ TEST(Kernels, DotScreenIsTheAreaOfTheDot)
     EXPECT_NEAR(glsl::discInSquare(radius), discArea(radius), 2e-5) << radius;
     if (radius < 0.5f)
     {
-      EXPECT_NEAR(glsl::dotScreen(glm::vec2(0.5f + radius, 0.5f)), discArea(radius), 2e-5);
+      EXPECT_NEAR(glsl::dotScreen(glm::vec2(3.0f + radius, -1.0f)), discArea(radius), 2e-5);
     }
   }
   EXPECT_FLOAT_EQ(glsl::discInSquare(0.0f), 0.0f);

@@ -31,7 +31,7 @@ ToneTableOptions forPeriod(double pixels)
 std::vector<DrawnField> someFields(
   const std::vector<PatternTile>& mips, const ToneTableOptions& options, double scale)
 {
-  constexpr int places = 15000;
+  constexpr int places = 8000;
   std::vector<DrawnField> fields;
   for (int i = 0; i < places; ++i)
   {
@@ -125,7 +125,7 @@ TEST(ToneTable, WithoutItToneIsWrong)
 {
   const std::vector<PatternTile> mips = mipChain(hatchTile());
   const std::vector<DrawnField> fields = someFields(mips, forPeriod(8.0), 1.5);
-  EXPECT_GT(std::abs(meanInk(fields, 0.1) - 0.1), 0.04);
+  EXPECT_GT(std::abs(meanInk(fields, 0.1) - 0.1), 0.03);
 }
 
 TEST(ToneTable, NoToneNoInkFullToneFullInk)
@@ -204,7 +204,7 @@ TEST(ToneTable, WithoutLodOnlyTheFirstOctave)
   options.lodBlending = false;
   const ToneTable table = buildToneTable(mips, options);
   const DrawnField field = drawnField(mips, options, 0.0, 0.5 / tilePeriods, 2.0);
-  EXPECT_LT(field.screen, 0.1f); // the middle of a line, where the second octave has paper
+  EXPECT_GT(field.screen, 0.9f); // between two lines, where the half-size copy has one
   const std::vector<DrawnField> fields = someFields(mips, options, 2.0);
   EXPECT_NEAR(meanInk(fields, toneThreshold(table, 0.3, 2.0)), 0.3, 0.003);
 }

@@ -33,10 +33,11 @@ const float tableStepsAfter = 1.0f;
 // Below this many pixels per period a screen cannot be resolved: ink = tone. Above one pixel more, no change.
 const float flatPeriod = 2.0f;
 
-// Mip level, may be fractional, for a footprint in texels of level 0 per pixel.
+// Mip level, may be fractional, for a footprint in texels of level 0 per pixel: up to two texels per pixel are
+// skipped, since edges are smoothed analytically, and coarser levels would make thin strokes dotted.
 float tileLevel(float texelsPerPixel)
 {
-  return max(0.0f, log2(max(texelsPerPixel, 1.0e-6f)));
+  return max(0.0f, log2(max(texelsPerPixel, 1.0e-6f)) - 1.0f);
 }
 
 // Screen (x) and its change across a pixel (y) from the texels of both octaves.

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Closed-form screens: fields in [0, 1] with an exactly uniform distribution over one period. Ink goes
-// where screen < tone. `position` is in periods, y up; a screen repeats at every whole number.
+// where screen < tone. `position` is in periods, y up; a screen repeats at every whole number, where it is darkest:
+// in the half-size copy about the origin all marks keep their places and new ones come in between.
 
 const float screenPi = 3.14159265358979f;
 
@@ -12,10 +13,10 @@ float distanceToInteger(float value)
   return abs(value - floor(value + 0.5f));
 }
 
-// Lines along x, dark in the middle of the period (y = .5), growing to both sides.
+// Lines along x at whole y, growing to both sides.
 float hatchScreen(vec2 position)
 {
-  return 1.0f - 2.0f * distanceToInteger(position.y);
+  return 2.0f * distanceToInteger(position.y);
 }
 
 // Area of the disc of this radius about the centre of a unit square that lies inside the square.
@@ -34,11 +35,11 @@ float discInSquare(float radius)
   return clamp(screenPi * square - 4.0f * cap, 0.0f, 1.0f);
 }
 
-// Round dots about (.5, .5) that touch at tone pi / 4 and close to full ink.
+// Round dots that touch at tone pi / 4 and close to full ink.
 float dotScreen(vec2 position)
 {
-  float x = 0.5f - distanceToInteger(position.x);
-  float y = 0.5f - distanceToInteger(position.y);
+  float x = distanceToInteger(position.x);
+  float y = distanceToInteger(position.y);
   return discInSquare(sqrt(x * x + y * y));
 }
 

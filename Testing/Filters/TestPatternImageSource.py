@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Hachure contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The share of texels below a tone is the tone, for every pattern and for any number of threads."""
+
+import os
+import subprocess
+import sys
+
+import hachure
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def screen(pattern, irregularity, seed=1):
+    source = hachure.vtkPatternImageSource()
+    source.SetPattern(pattern)
+    source.SetIrregularity(irregularity)
+    source.SetSize(128)
+    source.SetSeed(seed)
+    source.Update()
+    image = source.GetOutput()
+    assert image.GetDimensions() == (128, 128, 1)
+    assert image.GetFieldData().GetArray("Periods").GetValue(0) == 8
+    assert vtk_to_numpy(image.GetPointData().GetArray("Gradient")).min() > 0
+    return vtk_to_numpy(image.GetPointData().GetScalars())
+
+
+def all_bytes():
+    return b"".join(screen(pattern, 0.6).tobytes() for pattern in range(3))
+
+
+if "--bytes" in sys.argv:
+    sys.stdout.buffer.write(all_bytes())
+    sys.exit(0)
+
+for pattern in range(3):
+    for irregularity in (0.0, 0.6):
+        values = screen(pattern, irregularity)
+        for tone in (0.1, 0.25, 0.5, 0.9):
+            assert abs((values < tone).mean() - tone) < 1e-4, (pattern, irregularity, tone)
+
+assert (screen(0, 0.6) != screen(0, 0.6, seed=2)).any()
+
+for threads in ("1", "8"):
+    environment = dict(os.environ, OMP_NUM_THREADS=threads)
+    again = subprocess.run(
+        [sys.executable, __file__, "--bytes"], env=environment, stdout=subprocess.PIPE, check=True
+    )
+    assert again.stdout == all_bytes(), threads

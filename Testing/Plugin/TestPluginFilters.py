@@ -6,10 +6,11 @@ import sys
 
 from paraview import servermanager, simple
 
-simple.LoadPlugin(sys.argv[1], remote=False, ns=globals())
+new_functions = {}
+simple.LoadPlugin(sys.argv[1], remote=False, ns=new_functions)
 
 sphere = simple.Sphere(ThetaResolution=40, PhiResolution=30)
-samples = simple.HachureSurfaceSamples(Input=sphere)
+samples = new_functions["HachureSurfaceSamples"](Input=sphere)
 for wanted in (500, 2000):
     samples.SamplesPerPatch = wanted
     data = servermanager.Fetch(samples)

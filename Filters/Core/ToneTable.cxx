@@ -14,9 +14,11 @@ namespace hachure
 namespace
 {
 
-// Places per tile side at which the drawn screen is measured, one per cell of a grid at a hashed
-// offset: the standard error of the ink share is below .001.
-constexpr int placesPerSide = 128;
+// Places at which the drawn screen is measured, spread over the tile by a golden-ratio sequence
+// (Roberts' R2), which misses areas by far less than random places do.
+constexpr int measuredPlaces = 16384;
+constexpr double placeStepU = 0.7548776662466927;
+constexpr double placeStepV = 0.5698402909980532;
 // Bins of the threshold axis. Kinks are split between bins, so that the response is exact at their
 // borders.
 constexpr int responseBins = 2048;
@@ -85,16 +87,10 @@ std::vector<glm::vec2> measureFields(
   Span<const PatternTile> mips, const ToneTableOptions& options, float scale)
 {
   std::vector<glm::vec2> fields;
-  fields.reserve(placesPerSide * placesPerSide);
-  for (unsigned int y = 0; y < placesPerSide; ++y)
+  fields.reserve(measuredPlaces);
+  for (int i = 0; i < measuredPlaces; ++i)
   {
-    for (unsigned int x = 0; x < placesPerSide; ++x)
-    {
-      const double offsetU = glsl::hashToUnit(glsl::hashPair(x, y));
-      const double offsetV = glsl::hashToUnit(glsl::hashPair(y + placesPerSide, x));
-      fields.push_back(fieldAt(
-        mips, options, (x + offsetU) / placesPerSide, (y + offsetV) / placesPerSide, scale));
-    }
+    fields.push_back(fieldAt(mips, options, i * placeStepU, i * placeStepV, scale));
   }
   return fields;
 }

@@ -17,16 +17,16 @@ table.Update()
 
 
 def thresholds():
-    assert table.GetOutput().GetDimensions() == (256, 16, 1)
-    return vtk_to_numpy(table.GetOutput().GetPointData().GetArray("Threshold")).reshape(16, 256)
+    assert table.GetOutput().GetDimensions() == (256, 32, 1)
+    return vtk_to_numpy(table.GetOutput().GetPointData().GetArray("Threshold")).reshape(32, 256)
 
 
 fine = thresholds().copy()
 assert (numpy.diff(fine, axis=1) >= 0).all()
 assert (fine[:, 0] < 0).all() and (fine[:, 255] > 1).all()
 # The picture at scale 2 is the picture at scale 1; in between the blend of two screens is narrower.
-assert abs(fine[0] - fine[15]).max() < 0.01
-assert fine[8, 25] > fine[0, 25] + 0.03
+assert abs(fine[0] - fine[31]).max() < 0.01
+assert fine[16, 25] > fine[0, 25] + 0.03
 assert table.GetOutput().GetFieldData().GetArray("TexelsPerPixel").GetValue(0) == 4.0
 
 table.SetPeriodInPixels(4.0)  # wider edges: the thresholds of pale tones go further down
@@ -35,4 +35,4 @@ assert thresholds()[0, 0] < fine[0, 0]
 
 table.LodBlendingOff()
 table.Update()
-assert abs(thresholds()[8] - thresholds()[2]).max() < 0.1
+assert abs(thresholds()[16] - thresholds()[4]).max() < 0.1

@@ -7,7 +7,7 @@
 //   s      wrapped LOD scale in [1, 2): wrapScale(similarity scale); 1 for patterns fixed in the image
 //   tile   RG32F texture: red = screen, green = gradient (screen change per texel of level 0, on every level),
 //          mip level k = k-th element of mipChain(), GL_REPEAT, linear filter in and between levels
-//   table  R32F texture, 256 tones wide, 16 rows high, linear, clamped to edge: the ToneTable
+//   table  R32F texture, 256 tones wide, 32 rows high, linear, clamped to edge: the ToneTable
 //   tpp1   texels of level 0 per drawn pixel at s = 1 (the table is built with the same number):
 //          tile width / (periods across the tile * pixels per period)
 //
@@ -24,12 +24,12 @@
 
 // Rows and columns of the table.
 const float tableTones = 256.0f;
-const float tableSteps = 16.0f;
-// Steps before the LOD transition, and from its end to scale 2, where little changes; the twelve others lie in
+const float tableSteps = 32.0f;
+// Steps before the LOD transition, and from its end to scale 2, where little changes; the 24 others lie in
 // the transition, with rows exactly where the response bends: at its start and end, at a third, where slopes of
 // a ruled hatch cancel, and at its middle.
-const float tableStepsBefore = 2.0f;
-const float tableStepsAfter = 1.0f;
+const float tableStepsBefore = 4.0f;
+const float tableStepsAfter = 3.0f;
 // Below this many pixels per period a screen cannot be resolved: ink = tone. Above one pixel more, no change.
 const float flatPeriod = 2.0f;
 
@@ -75,7 +75,7 @@ float tableRow(float s, float s0, float s1)
   return (row + 0.5f) / tableSteps;
 }
 
-// The wrapped scale of a row number (0 to 15) of the table: inverse of tableRow.
+// The wrapped scale of a row number (0 to 31) of the table: inverse of tableRow.
 float tableScale(float row, float s0, float s1)
 {
   float last = tableSteps - 1.0f;

@@ -22,6 +22,12 @@ namespace
 {
 constexpr std::size_t tableTones = 256;
 
+glm::vec3 Linear(const double* color)
+{
+  return hachure::glsl::toLinear(glm::vec3(
+    static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2])));
+}
+
 const char* BlendFunction(int mode)
 {
   switch (mode)
@@ -146,14 +152,12 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
     static_cast<float>(viewport.FragmentToLogical.z),
     static_cast<float>(viewport.FragmentToLogical.w) };
   program->SetUniform4f("hachurePixelMap", map);
-  const double* paperColor = style->GetPaperColor();
-  const float paper[4] = { static_cast<float>(paperColor[0]), static_cast<float>(paperColor[1]),
-    static_cast<float>(paperColor[2]),
+  const glm::vec3 paperColor = Linear(style->GetPaperColor());
+  const float paper[4] = { paperColor.x, paperColor.y, paperColor.z,
     style->GetPaperSource() == vtkPatternStyle::CONSTANT ? 0.0f : 1.0f };
   program->SetUniform4f("hachurePaper", paper);
-  const float nan[3] = { static_cast<float>(nanColor[0]), static_cast<float>(nanColor[1]),
-    static_cast<float>(nanColor[2]) };
-  program->SetUniform3f("hachureNanColor", nan);
+  const glm::vec3 nan = Linear(nanColor);
+  program->SetUniform3f("hachureNanColor", &nan.x);
   program->SetUniformi("hachureToneTables", this->Tables->GetTextureUnit());
   program->SetUniformf("hachureTableRows", static_cast<float>(this->TableRows));
 
@@ -162,9 +166,7 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
   {
     const Drawn& drawn = this->Layers[i];
     const std::string number = std::to_string(i);
-    const double* color = drawn.Layer->GetColor();
-    const glm::vec3 linear = hachure::glsl::toLinear(glm::vec3(
-      static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2])));
+    const glm::vec3 linear = Linear(drawn.Layer->GetColor());
     const float ink[4] = { linear.x, linear.y, linear.z,
       static_cast<float>(drawn.Layer->GetOpacity()) };
     program->SetUniform4f(("hachureInk" + number).c_str(), ink);

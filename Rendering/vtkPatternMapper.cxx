@@ -611,11 +611,14 @@ void vtkPatternMapper::SetOutline(Drawing& drawing, vtkShaderProgram* program)
       static_cast<float>((-2.0 * origin / size - 1.0 + shift) / projection[axis][axis]);
   }
   program->SetUniform4f("hachureFragmentToView", fragmentToView);
-  const float rectangle[4] = { static_cast<float>(drawing.Rectangle[0]),
-    static_cast<float>(drawing.Rectangle[1]),
-    static_cast<float>(drawing.Rectangle[0] + drawing.Rectangle[2]),
-    static_cast<float>(drawing.Rectangle[1] + drawing.Rectangle[3]) };
-  program->SetUniform4f("hachureRectangle", rectangle);
+  const auto setCorners = [program](const char* name, const std::array<int, 4>& area)
+  {
+    const float corners[4] = { static_cast<float>(area[0]), static_cast<float>(area[1]),
+      static_cast<float>(area[0] + area[2]), static_cast<float>(area[1] + area[3]) };
+    program->SetUniform4f(name, corners);
+  };
+  setCorners("hachureRectangle", drawing.Rectangle);
+  setCorners("hachureViewport", drawing.Viewport.Drawn);
 }
 
 bool vtkPatternMapper::HasRemainder(vtkActor* actor)

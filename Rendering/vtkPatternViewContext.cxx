@@ -203,7 +203,7 @@ void vtkPatternViewContext::Predict(
     const std::vector<std::uint8_t> visibility = track.Visibility.Read(window);
     if (track.SetVersion != track.Samples.GetSetVersion())
     {
-      track.Tracker.reanchor();
+      track.Tracker.replaceSamples(samples);
       track.SetVersion = track.Samples.GetSetVersion();
     }
     else if (!visibility.empty())

@@ -185,6 +185,28 @@ void PatternTracker::start(const TrackedSamples& samples, Picture picture)
   this->started = true;
 }
 
+void PatternTracker::replaceSamples(const TrackedSamples& samples)
+{
+  if (!this->started)
+  {
+    return;
+  }
+  Picture picture;
+  picture.samples = projectSamples(samples, this->view, FacingRule::Signed);
+  picture.viewportSize = this->now.viewportSize;
+  picture.frames = this->now.frames;
+  this->patches = patchPerSample(samples);
+  this->patchTotal = std::max(patchCount(samples), samples.patchSpacing.size());
+  picture.frames.resize(this->patchTotal);
+  picture.anchored.assign(this->patchTotal, 0);
+  this->seen.resize(this->patchTotal, 0); // patches that are new anchor when they are seen
+  this->stepResidual.resize(this->patchTotal, 0.0);
+  this->stepStatus.resize(this->patchTotal, FitStatus::NoSamples);
+  this->commitment.clear();
+  this->now = std::move(picture);
+  this->base = this->now;
+}
+
 void PatternTracker::markSeen(const std::vector<double>& frontWeights)
 {
   for (std::size_t patch = 0; patch < this->patchTotal; ++patch)

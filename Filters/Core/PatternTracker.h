@@ -50,6 +50,11 @@ public:
   // samples.
   void setVisibility(Span<const std::uint8_t> visibility);
 
+  // Other samples of the same surface as it was when last advanced, as after a change of its
+  // connectivity: the patterns stay where they were drawn and follow the new samples from there.
+  // Without a frame drawn before it does nothing. Throws as projectSamples does.
+  void replaceSamples(const TrackedSamples& samples);
+
   // What advance() would draw for this view; changes nothing.
   std::vector<PatternFrame> preview(
     const TrackedSamples& samples, const ViewProjection& view) const;

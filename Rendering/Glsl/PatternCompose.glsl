@@ -2,8 +2,8 @@
 // of opaque surfaces and by the forward shader of translucent ones.
 
 uniform vec4 hachurePixelMap;  // logical pixel = fragment * xy + zw
-uniform vec4 hachurePaper;     // display-referred colour; w: 1 = the surface's colour instead
-uniform vec3 hachureNanColor;  // display-referred colour of surface without data
+uniform vec4 hachurePaper;     // linear colour; w: 1 = the surface's colour instead
+uniform vec3 hachureNanColor;  // linear colour of surface without data
 uniform sampler2D hachureToneTables; // 256 tones across, the rows of all layers up
 uniform float hachureTableRows;      // number of these rows
 
@@ -27,14 +27,14 @@ float hachureToneCurve(float tone, vec2 curve)
 //Hachure::Layers::Dec
 
 // position: logical pixels; surface: display-referred colour of the surface; tones: per channel,
-// negative where the array has no number. Returns a display-referred colour.
+// negative where the array has no number. Returns a linear colour.
 vec3 hachureCompose(vec2 position, vec3 surface, vec3 tones)
 {
   if (min(tones.x, min(tones.y, tones.z)) < 0.0)
   {
     return hachureNanColor;
   }
-  vec3 color = toLinear(mix(hachurePaper.rgb, surface, hachurePaper.w));
+  vec3 color = hachurePaper.w > 0.0 ? toLinear(surface) : hachurePaper.rgb;
   //Hachure::Layers::Impl
-  return fromLinear(color);
+  return color;
 }

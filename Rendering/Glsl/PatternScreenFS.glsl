@@ -25,8 +25,9 @@ void main()
   }
   vec4 data = texelFetch(hachureSurfaceData, pixel, 0);
   vec3 color = hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), surface.rgb, data.rgb);
-  color = mix(color, surface.rgb, clamp(2.0 - 2.0 * surface.a, 0.0, 1.0));
   //Hachure::Outline::Impl
-  gl_FragData[0] = vec4(color, 1.0);
+  // Edges that VTK drew lie over the pattern.
+  vec3 display = mix(fromLinear(color), surface.rgb, clamp(2.0 - 2.0 * surface.a, 0.0, 1.0));
+  gl_FragData[0] = vec4(display, 1.0);
   gl_FragDepth = depth;
 }

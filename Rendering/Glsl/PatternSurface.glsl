@@ -80,5 +80,6 @@ float hachurePackNormal(vec3 n)
   gl_FragData[1] = vec4(hachureTone, hachurePackNormal(hachureNormal));
 //Section Forward
   gl_FragData[0].rgb = mix(
-    hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), gl_FragData[0].rgb, hachureTone),
+    fromLinear(
+      hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), gl_FragData[0].rgb, hachureTone)),
     gl_FragData[0].rgb, hachureEdge);

@@ -333,6 +333,33 @@ TEST(PatternTracker, HiddenPatchesWait)
   EXPECT_EQ(tracker.anchored()[1], 0);
 }
 
+// A surface meshed anew has other samples; its pattern neither jumps nor stops to follow.
+TEST(PatternTracker, OtherSamplesCarryThePatternOn)
+{
+  const Spheres first({ { 0.0, 0.0, 0.0 } }, 500, false);
+  const Spheres second({ { 0.0, 0.0, 0.0 } }, 731, false);
+  PatternTracker tracker;
+  PatternTracker steady;
+  Camera camera;
+  camera.pan = 0.6;
+  drawFrame(tracker, first, camera);
+  drawFrame(steady, first, camera);
+  for (int k = 1; k <= 12; ++k)
+  {
+    camera.roll = 5.0 * k;
+    if (k == 6)
+    {
+      const PatternFrame before = tracker.drawn()[0];
+      tracker.replaceSamples(second.samples());
+      EXPECT_EQ(tracker.drawn()[0], before);
+    }
+    drawFrame(tracker, k < 6 ? first : second, camera);
+    drawFrame(steady, first, camera);
+    ASSERT_LT(glm::length(tracker.drawn()[0].origin - steady.drawn()[0].origin), 0.02);
+    ASSERT_EQ(tracker.anchored()[0], 0);
+  }
+}
+
 TEST(PatternTracker, WrongInputIsNamed)
 {
   Spheres scene = occludingSpheres();

@@ -78,16 +78,15 @@ std::vector<glm::dvec3> fitPoints(vtkDataObject* surface)
   return points;
 }
 
-void toneFollowsArray(
-  vtkPatternStyle* style, const std::string& name, const std::array<double, 2>& range)
+void toneFollowsArray(vtkPatternStyle* style, const std::string& name, const ToneArray& array)
 {
   for (int i = 0; i < style->GetNumberOfLayers(); ++i)
   {
     vtkPatternTone* tone = style->GetLayer(i)->GetTone();
     tone->SetSource(vtkPatternTone::ARRAY);
     tone->SetArrayName(name.c_str());
-    tone->SetComponent(-1);
-    tone->SetRange(range[0], range[1]);
+    tone->SetComponent(array.component);
+    tone->SetRange(array.range[0], array.range[1]);
   }
 }
 } // namespace
@@ -173,8 +172,8 @@ void Scene::makeSurface(const RenderOptions& options)
   this->surface = readSurface(options.input, options.isovalue);
   if (!options.array.empty())
   {
-    const auto range = finiteArrayRange(this->surface.data, options.array);
-    toneFollowsArray(this->patternStyle, options.array, range);
+    const ToneArray array = toneArray(this->surface.data, options.array);
+    toneFollowsArray(this->patternStyle, options.array, array);
   }
   vtkNew<vtkPatternMapper> mapper;
   mapper->SetInputDataObject(this->surface.data);

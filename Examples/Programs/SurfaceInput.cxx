@@ -293,10 +293,12 @@ std::vector<vtkPolyData*> surfaceLeaves(vtkDataObject* surface)
 }
 
 //----------------------------------------------------------------------------
-std::array<double, 2> finiteArrayRange(vtkDataObject* surface, const std::string& name)
+ToneArray toneArray(vtkDataObject* surface, const std::string& name)
 {
   constexpr double Infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 2> result = { Infinity, -Infinity };
+  ToneArray result;
+  double low = Infinity;
+  double high = -Infinity;
   bool found = false;
   for (vtkPolyData* leaf : surfaceLeaves(surface))
   {
@@ -307,23 +309,24 @@ std::array<double, 2> finiteArrayRange(vtkDataObject* surface, const std::string
       double range[2];
       finiteRange(array, range);
       found = true;
-      result[0] = std::min(result[0], range[0]);
-      result[1] = std::max(result[1], range[1]);
+      result.component = array->GetNumberOfComponents() == 1 ? 0 : -1;
+      low = std::min(low, range[0]);
+      high = std::max(high, range[1]);
     }
   }
   if (!found)
   {
     refuseArray(surface, name);
   }
-  if (!(result[0] <= result[1]))
-  {
-    return { 0.0, 1.0 };
-  }
-  if (result[0] == result[1])
+  if (low == high)
   {
     // A constant array is drawn at half tone.
-    const double half = std::max(0.5, 0.5 * std::abs(result[0]));
-    return { result[0] - half, result[0] + half };
+    const double half = std::max(0.5, 0.5 * std::abs(low));
+    result.range = { low - half, high + half };
+  }
+  else if (low < high)
+  {
+    result.range = { low, high };
   }
   return result;
 }

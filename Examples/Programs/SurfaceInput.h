@@ -32,9 +32,15 @@ Surface readSurface(const std::string& path, const std::optional<double>& isoval
 /// The polydata leaves of a surface, empty ones left out.
 std::vector<vtkPolyData*> surfaceLeaves(vtkDataObject* surface);
 
-/// Finite range of an array over all leaves, the magnitude when it has several components.
-/// Throws UserError with the names that do exist when no leaf has the array.
-std::array<double, 2> finiteArrayRange(vtkDataObject* surface, const std::string& name);
+/// An array of the surface as a tone.
+struct ToneArray
+{
+  int component = 0;                          ///< -1: the magnitude of several components
+  std::array<double, 2> range = { 0.0, 1.0 }; ///< finite values, low < high
+};
+
+/// The array over all leaves. Throws UserError with the names that do exist when no leaf has it.
+ToneArray toneArray(vtkDataObject* surface, const std::string& name);
 } // namespace hachure::program
 
 #endif

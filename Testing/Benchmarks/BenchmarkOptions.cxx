@@ -218,7 +218,7 @@ Keys of a row:
   cpu_ratio            pattern over plain in processor time
   wall_ratio           pattern over plain in elapsed time
   gpu_ms               time of a pattern frame on the graphics processor; null where there is none
-  memory_bytes         memory of the process that the pattern adds to the mapper's
+  memory_bytes         of textures and buffers that the pattern adds to the mapper's
 Times and ratios are medians over the runs, which are taken by turns.
 )";
 }

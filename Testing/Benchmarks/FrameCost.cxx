@@ -5,12 +5,9 @@
 
 #include <vtkOpenGLRenderTimer.h>
 
-#include <malloc.h>
 #include <time.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <string>
 
 namespace hachure::benchmark
@@ -64,16 +61,6 @@ bool hasGraphicsProcessor(vtkRenderWindow* window)
   const auto names = [&](const char* name) { return capabilities.find(name) != std::string::npos; };
   return vtkOpenGLRenderTimer::IsSupported() && !names("llvmpipe") && !names("softpipe") &&
     !names("SWR");
-}
-
-//----------------------------------------------------------------------------
-std::int64_t residentBytes()
-{
-  malloc_trim(0);
-  std::int64_t total = 0;
-  std::int64_t resident = 0;
-  std::ifstream("/proc/self/statm") >> total >> resident;
-  return resident * sysconf(_SC_PAGESIZE);
 }
 
 //----------------------------------------------------------------------------

@@ -8,7 +8,6 @@
 
 #include <vtkRenderWindow.h>
 
-#include <cstdint>
 #include <vector>
 
 namespace hachure::benchmark
@@ -26,9 +25,6 @@ FrameCost drawFrame(vtkRenderWindow* window, bool timeGpu);
 
 /// Whether the time of the graphics processor means something: false for OpenGL in software.
 bool hasGraphicsProcessor(vtkRenderWindow* window);
-
-/// Memory of the process that is in use and resident, after freed memory has been given back.
-std::int64_t residentBytes();
 
 double median(std::vector<double> values);
 } // namespace hachure::benchmark

@@ -28,7 +28,7 @@ std::string describe(const std::string& style, const PatternCost& cost)
   char coverage[64];
   std::snprintf(coverage, sizeof(coverage), "%.1f %%", 100.0 * cost.coverage);
   std::string text = "style " + style + "; plain is vtkPolyDataMapper; surface covers " + coverage +
-    " of the picture; memory_bytes is growth of resident memory when the style is set";
+    " of the picture; memory_bytes is OpenGL objects that the style adds";
   text += cost.gpu ? "; gpu_ms by timer query" : "; gpu_ms null, no graphics processor to time";
   return text;
 }

@@ -3,6 +3,7 @@
 
 #include "PatternCost.h"
 
+#include "DeviceMemory.h"
 #include "DrawingWindow.h"
 #include "ErrorCollector.h"
 #include "FrameCost.h"
@@ -128,21 +129,21 @@ vtkSmartPointer<vtkPatternStyle> makeStyle(const std::string& name)
   return style;
 }
 
-/// Sets the style and returns the memory that drawing with it takes.
+/// Sets the style and returns the bytes of OpenGL's objects that drawing with it takes.
 std::int64_t addPattern(View& view, vtkPatternMapper* mapper, vtkPatternStyle* style)
 {
   const ErrorCollector errors;
   mapper->SetStyle(nullptr);
   warm(view); // as VTK draws, with the mapper's own buffers
-  const std::int64_t before = residentBytes();
+  const std::int64_t before = deviceBytes(view.drawn());
   mapper->SetStyle(style);
   warm(view);
-  const std::int64_t after = residentBytes();
+  const std::int64_t after = deviceBytes(view.drawn());
   if (!errors.first().empty())
   {
     throw UserError("cannot draw the style: " + errors.first());
   }
-  return std::max<std::int64_t>(0, after - before);
+  return after - before;
 }
 
 PatternCost compare(View& plain, View& pattern, int frames)

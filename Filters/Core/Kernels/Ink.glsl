@@ -3,8 +3,8 @@
 
 // From a screen and a threshold to the share of a pixel that is inked.
 
-// Threshold that makes mean ink equal the tone for a screen of constant slope (a ruled hatch) drawn with
-// inkCoverage. w is the change of the screen across one pixel, 0 to 1.
+// Threshold that makes mean ink equal the tone for a screen of constant slope (a ruled hatch)
+// drawn with inkCoverage. w is the change of the screen across one pixel, 0 to 1.
 float exactThreshold(float tone, float w)
 {
   float width = clamp(w, 0.0f, 1.0f);
@@ -20,8 +20,8 @@ float exactThreshold(float tone, float w)
   return ink;
 }
 
-// Analytic anti-aliasing: ink share of a pixel at whose centre the screen has this value and across which
-// it changes by w.
+// Analytic anti-aliasing: ink share of a pixel at whose centre the screen has this value and
+// across which it changes by w.
 float inkCoverage(float screen, float threshold, float w)
 {
   return clamp((threshold - screen) / max(w, 1.0e-6f) + 0.5f, 0.0f, 1.0f);

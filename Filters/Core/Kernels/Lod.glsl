@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Level of detail of a pattern that scales with the surface (Breslav et al. 2007, section 3.3): the scale is
-// wrapped into [1, 2) and the half-size copy, uv * 2 about the same origin, takes over on the way. The picture
-// at scale 2 is the picture at scale 1.
+// Level of detail of a pattern that scales with the surface (Breslav et al. 2007, section 3.3):
+// the scale is wrapped into [1, 2) and the half-size copy, uv * 2 about the same origin, takes
+// over on the way. The picture at scale 2 is the picture at scale 1.
 
 // Scale wrapped into [1, 2) by whole octaves, growing and shrinking alike. Not positive: 1.
 float wrapScale(float s)

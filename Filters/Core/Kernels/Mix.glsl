@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Mixing of colours in linear light. Colours are linear and in [0, 1] unless a name says otherwise; ink is
-// coverage in [0, 1].
+// Mixing of colours in linear light. Colours are linear and in [0, 1] unless a name says
+// otherwise; ink is coverage in [0, 1].
 
 // Power law that VTK uses where it resolves samples.
 const float displayGamma = 2.2f;

@@ -4,8 +4,8 @@
 // An image pattern drawn at any scale with exact tone. Needs Ink.glsl and Lod.glsl before it.
 //
 // What a renderer does per pixel, and ToneTable.cxx does when it measures:
-//   s      wrapped LOD scale in [1, 2): wrapScale(similarity scale); 1 for patterns fixed in the image
-//   tile   RG32F texture: red = screen, green = gradient (screen change per texel of level 0, on every level),
+//   s      wrapped LOD scale in [1, 2): wrapScale(similarity scale); 1 when fixed in the image
+//   tile   RG32F texture: red = screen, green = gradient (change per texel of level 0, on every level),
 //          mip level k = k-th element of mipChain(), GL_REPEAT, linear filter in and between levels
 //   table  R32F texture, 256 tones wide, 32 rows high, linear, clamped to edge: the ToneTable
 //   tpp1   texels of level 0 per drawn pixel at s = 1 (the table is built with the same number):
@@ -17,24 +17,28 @@
 //   vec2 second = textureLod(tile, 2 uv, tileLevel(2.0 * tpp)).rg;   // may be skipped when t == 0
 //   vec2 field = patternField(first, second, t, tpp);
 //   vec2 at = vec2(tableColumn(tone), tableRow(s, s0, s1));
-//   float ink = patternInk(tone, texture(table, at).r, field, flatShare(s, t, pixelsPerPeriodAtScale1));
+//   float flatWeight = flatShare(s, t, pixels per period at s = 1);
+//   float ink = patternInk(tone, texture(table, at).r, field, flatWeight);
 //
 // uv: 1 per tile width (and 1 per tile height); y up; row 0 of the tile is the bottom.
-// All of s, t, tpp, tableRow, flatShare are constant per patch and draw: compute them outside the pixel.
+// All of s, t, tpp, tableRow, flatShare are constant per patch and draw: compute them outside the
+// pixel.
 
 // Rows and columns of the table.
 const float tableTones = 256.0f;
 const float tableSteps = 32.0f;
-// Steps before the LOD transition, and from its end to scale 2, where little changes; the 24 others lie in
-// the transition, with rows exactly where the response bends: at its start and end, at a third, where slopes of
-// a ruled hatch cancel, and at its middle.
+// Steps before the LOD transition, and from its end to scale 2, where little changes; the 24
+// others lie in the transition, with rows exactly where the response bends: at its start and end,
+// at a third, where slopes of a ruled hatch cancel, and at its middle.
 const float tableStepsBefore = 4.0f;
 const float tableStepsAfter = 3.0f;
-// Below this many pixels per period a screen cannot be resolved: ink = tone. Above one pixel more, no change.
+// Below this many pixels per period a screen cannot be resolved: ink = tone. Above one pixel more,
+// no change.
 const float flatPeriod = 2.0f;
 
-// Mip level, may be fractional, for a footprint in texels of level 0 per pixel: up to two texels per pixel are
-// skipped, since edges are smoothed analytically, and coarser levels would make thin strokes dotted.
+// Mip level, may be fractional, for a footprint in texels of level 0 per pixel: up to two texels
+// per pixel are skipped, since edges are smoothed analytically, and coarser levels would make thin
+// strokes dotted.
 float tileLevel(float texelsPerPixel)
 {
   return max(0.0f, log2(max(texelsPerPixel, 1.0e-6f)) - 1.0f);
@@ -90,15 +94,16 @@ float tableScale(float row, float s0, float s1)
   return mix(s0, s1, (row - tableStepsBefore) / (last - tableStepsBefore - tableStepsAfter));
 }
 
-// Share of flat tone (ink = tone) in the drawing: 1 up to 2 pixels per period, 0 from 3 on. t is the weight
-// of the half-size copy, whose period is half.
+// Share of flat tone (ink = tone) in the drawing: 1 up to 2 pixels per period, 0 from 3 on. t is
+// the weight of the half-size copy, whose period is half.
 float flatShare(float s, float t, float pixelsPerPeriodAtScale1)
 {
   float period = pixelsPerPeriodAtScale1 * s * mix(1.0f, 0.5f, t);
   return 1.0f - clamp(period - flatPeriod, 0.0f, 1.0f);
 }
 
-// Ink share of a pixel. field = patternField(), threshold = table value. No tone, no ink; full tone, full ink.
+// Ink share of a pixel. field = patternField(), threshold = table value. No tone, no ink; full
+// tone, full ink.
 float patternInk(float tone, float threshold, vec2 field, float flatWeight)
 {
   if (tone <= 0.0f)

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Closed-form screens: fields in [0, 1] with an exactly uniform distribution over one period. Ink goes
-// where screen < tone. `position` is in periods, y up; a screen repeats at every whole number, where it is darkest:
-// in the half-size copy about the origin all marks keep their places and new ones come in between.
+// Closed-form screens: fields in [0, 1] with an exactly uniform distribution over one period. Ink
+// goes where screen < tone. `position` is in periods, y up; a screen repeats at every whole
+// number, where it is darkest: in the half-size copy about the origin all marks keep their places
+// and new ones come in between.
 
 const float screenPi = 3.14159265358979f;
 
@@ -43,8 +44,8 @@ float dotScreen(vec2 position)
   return discInSquare(sqrt(x * x + y * y));
 }
 
-// Distribution function of min(a, b / (1 - delay) + delay), a and b independent and uniform: the share of
-// a period with a value below `level`.
+// Distribution function of min(a, b / (1 - delay) + delay), a and b independent and uniform: the
+// share of a period with a value below `level`.
 float delayedMinimumShare(float level, float delay)
 {
   float rest = max(1.0f - delay, 1.0e-6f);

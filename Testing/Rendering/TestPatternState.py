@@ -1,0 +1,211 @@
+# SPDX-FileCopyrightText: Hachure contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Nothing but frames moves patterns: whatever else draws in between, pictures stay the same."""
+
+import pattern_scene as scene
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkRenderingCore import (
+    vtkHardwareSelector, vtkPropPicker, vtkWindowToImageFilter)
+
+STEPS = 8
+
+
+class Stage:
+    """Two spheres, one hiding the other, that share no state with other stages."""
+
+    def __init__(self, size=(200, 200)):
+        self.actors = [scene.actor_of(scene.sphere(24, 0.5, (-0.3, 0.0, 0.3)), "hatch"),
+                       scene.actor_of(scene.sphere(24, 0.4, (0.4, 0.1, -0.4)), "halftone")]
+        self.renderer = scene.renderer_of(*self.actors)
+        self.window = scene.window_of(self.renderer, size=size)
+        scene.look(self.renderer)
+
+    def move(self, step):
+        move(self.renderer, step)
+
+
+def move(renderer, step):
+    camera = renderer.GetActiveCamera()
+    camera.Azimuth(4.0 + step)
+    camera.Elevation(1.5)
+    camera.Dolly(1.02)
+    renderer.ResetCameraClippingRange()
+
+
+def path(stage, disturb=None):
+    """The pictures along a camera path; disturb(stage) after every frame."""
+    pictures = []
+    for step in range(STEPS):
+        stage.move(step)
+        pictures.append(scene.draw(stage.window))
+        if disturb:
+            disturb(stage)
+    return pictures
+
+
+def check_path(disturb=None, stage=None):
+    for step, (ours, expected) in enumerate(zip(path(stage or Stage(), disturb), undisturbed)):
+        different = (ours != expected).any(axis=2).sum()
+        assert different == 0, "%d pixels differ in step %d" % (different, step)
+
+
+undisturbed = path(Stage())
+
+
+def test_pictures_differ_along_the_path():
+    assert all((a != b).any() for a, b in zip(undisturbed, undisturbed[1:]))
+    assert all(0.05 < scene.ink(a) < 0.6 for a in undisturbed)
+
+
+def test_the_same_path_again():
+    check_path()
+
+
+def test_same_frame_twice():
+    def again(stage):
+        first = scene.picture(stage.window)
+        for _ in range(3):
+            assert (scene.draw(stage.window) == first).all(), "the same frame drawn anew differs"
+    check_path(again)
+
+
+def test_frames_of_another_window():
+    other = scene.window_of(scene.renderer_of(), size=(120, 90))
+    renderer = other.GetRenderers().GetFirstRenderer()
+
+    def draw_other(stage):
+        for actor in stage.actors:
+            renderer.AddActor(actor)
+        renderer.ResetCamera()
+        renderer.GetActiveCamera().Azimuth(17.0)
+        other.Render()
+    check_path(draw_other)
+
+
+def test_two_viewports_follow_their_own_cameras():
+    stage = Stage()
+    left, right = stage.renderer, scene.renderer_of(*stage.actors)
+    stage.window.SetSize(400, 200)
+    left.SetViewport(0.0, 0.0, 0.5, 1.0)
+    right.SetViewport(0.5, 0.0, 1.0, 1.0)
+    stage.window.AddRenderer(right)
+    right.SetActiveCamera(copied_camera(left))
+    for step, expected in enumerate(undisturbed):
+        if step % 2 == 0:
+            right.GetActiveCamera().Azimuth(-9.0)
+        stage.move(step)
+        found = scene.draw(stage.window)[:, :200]
+        assert (found == expected).all(), step
+    assert (scene.picture(stage.window)[:, 200:] != undisturbed[-1]).any()
+
+
+def copied_camera(renderer):
+    camera = renderer.MakeCamera()
+    camera.DeepCopy(renderer.GetActiveCamera())
+    return camera
+
+
+def test_viewport_with_an_offset():
+    """The same picture wherever the viewport lies in its window, but for rounding of positions."""
+    stage = Stage((450, 330))
+    stage.renderer.SetViewport(100 / 450, 80 / 330, 300 / 450, 280 / 330)
+    for step, expected in enumerate(undisturbed):
+        stage.move(step)
+        found = scene.draw(stage.window)[80:280, 100:300]
+        difference = abs(found.astype(int) - expected)
+        assert difference.max() <= 2 and (difference > 0).mean() < 0.01, (step, difference.max())
+
+
+def test_stereo():
+    for kind in ("CrystalEyes", "RedBlue", "Anaglyph", "SplitViewportHorizontal", "Interlaced"):
+        def stereo(stage, name="SetStereoTypeTo" + kind):
+            getattr(stage.window, name)()
+            stage.window.StereoRenderOn()
+            stage.window.Render()
+            stage.window.StereoRenderOff()
+        check_path(stereo)
+
+
+def test_left_eye_moves_the_pattern():
+    """Path in stereo: the committed pattern is the same as for the left eye's camera alone."""
+    one, two = Stage(), Stage()
+    two.window.SetStereoTypeToLeft()
+    for stage in (one, two):
+        stage.window.StereoRenderOn()
+    one.window.SetStereoTypeToRedBlue()
+    for step in range(STEPS):
+        for stage in (one, two):
+            stage.move(step)
+            stage.window.Render()
+        for a, b in zip(one.actors, two.actors):
+            ours = scene.committed_frame(a.GetMapper(), one.renderer)
+            expected = scene.committed_frame(b.GetMapper(), two.renderer)
+            assert abs(ours - expected).max() < 1e-9, (step, ours, expected)
+
+
+def test_tiles():
+    def tiles(stage):
+        grabber = vtkWindowToImageFilter()
+        grabber.SetInput(stage.window)
+        grabber.SetScale(3)
+        grabber.ReadFrontBufferOff()
+        grabber.Update()
+        assert grabber.GetOutput().GetDimensions()[:2] == (600, 600)
+    check_path(tiles)
+
+
+def test_selection():
+    def select(stage):
+        selector = vtkHardwareSelector()
+        selector.SetRenderer(stage.renderer)
+        selector.SetArea(0, 0, 199, 199)
+        selector.SetFieldAssociation(vtkDataObject.FIELD_ASSOCIATION_CELLS)
+        selection = selector.Select()
+        assert selection.GetNumberOfNodes() == 2, selection.GetNumberOfNodes()
+        props = {selection.GetNode(i).GetProperties().Get(selection.GetNode(i).PROP())
+                 for i in range(2)}
+        assert props == set(stage.actors)
+        assert all(selection.GetNode(i).GetSelectionList().GetNumberOfTuples() > 50
+                   for i in range(2))
+    check_path(select)
+
+
+def test_picking():
+    def pick(stage):
+        picker = vtkPropPicker()
+        assert picker.Pick(80, 100, 0, stage.renderer)
+        assert picker.GetActor() in stage.actors
+    check_path(pick)
+
+
+def peeling(stage, on):
+    stage.renderer.SetUseDepthPeeling(on)
+    stage.renderer.SetMaximumNumberOfPeels(6)
+    stage.window.SetAlphaBitPlanes(on)
+    for actor in stage.actors:
+        actor.GetProperty().SetOpacity(0.5 if on else 1.0)
+
+
+def test_depth_peeling():
+    def peel(stage):
+        before = scene.picture(stage.window)
+        peeling(stage, True)
+        assert (scene.draw(stage.window) != before).any()
+        peeling(stage, False)
+        assert (scene.draw(stage.window) == before).all()
+    check_path(peel)
+
+
+def test_styles_in_between():
+    """Outline or layer off for one picture."""
+    def toggle(stage):
+        style = stage.actors[0].GetMapper().GetStyle()
+        style.OutlineOff()
+        style.GetLayer(0).EnabledOff()
+        stage.window.Render()
+        style.GetLayer(0).EnabledOn()
+        style.OutlineOn()
+    check_path(toggle)
+
+
+scene.run(globals())

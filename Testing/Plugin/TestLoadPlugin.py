@@ -18,7 +18,7 @@ def loaded():
 
 
 assert "Hachure" not in loaded()
-simple.LoadPlugin(plugin, remote=False, ns={})
+simple.LoadPlugin(plugin, remote=False)
 assert "Hachure" in loaded(), loaded()
 with open("/proc/self/maps", encoding="ascii", errors="replace") as maps:
     libraries = maps.read()

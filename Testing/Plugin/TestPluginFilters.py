@@ -6,11 +6,10 @@ import sys
 
 from paraview import servermanager, simple
 
-new_functions = {}
-simple.LoadPlugin(sys.argv[1], remote=False, ns=new_functions)
+simple.LoadPlugin(sys.argv[1], remote=False)
 
 sphere = simple.Sphere(ThetaResolution=40, PhiResolution=30)
-samples = new_functions["HachureSurfaceSamples"](Input=sphere)
+samples = simple.HachureSurfaceSamples(Input=sphere)
 for wanted in (500, 2000):
     samples.SamplesPerPatch = wanted
     data = servermanager.Fetch(samples)

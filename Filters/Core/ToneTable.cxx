@@ -16,7 +16,7 @@ namespace
 
 // Places at which the drawn screen is measured, spread over the tile by a golden-ratio sequence
 // (Roberts' R2), which misses areas by far less than random places do.
-constexpr int measuredPlaces = 16384;
+constexpr int measuredPlaces = 12000;
 constexpr double placeStepU = 0.7548776662466927;
 constexpr double placeStepV = 0.5698402909980532;
 // Bins of the threshold axis. Kinks are split between bins, so that the response is exact at their

@@ -5,7 +5,7 @@
 //
 // What a renderer does per pixel, and ToneTable.cxx does when it measures:
 //   s      wrapped LOD scale in [1, 2): wrapScale(similarity scale); 1 when fixed in the image
-//   tile   RG32F texture: red = screen, green = gradient (change per texel of level 0, on every level),
+//   tile   RG32F texture: red = screen, green = gradient (per texel of level 0, on every level),
 //          mip level k = k-th element of mipChain(), GL_REPEAT, linear filter in and between levels
 //   table  R32F texture, 256 tones wide, 32 rows high, linear, clamped to edge: the ToneTable
 //   tpp1   texels of level 0 per drawn pixel at s = 1 (the table is built with the same number):

@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: Hachure contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of low detail, drawn while a user drags, have patterns too and leave no trace in the next full one."""
+
+import numpy
+import pattern_scene as scene
+from paraview import simple
+
+sphere = simple.Sphere(ThetaResolution=300, PhiResolution=300)
+sphere.UpdatePipeline()
+START = numpy.array([0.0, 0.5, 3.0])
+END = numpy.array([1.0, 0.2, 2.5])
+
+
+def draw(steps):
+    """The picture at END of a view that came from START over so many pictures of low detail."""
+    where = scene.view(full_detail=steps == 0)
+    where.LODResolution = 0.0
+    scene.show(sphere, where)
+    scene.look(where, START)
+    simple.Render(where)
+    simple.Render(where)
+    low = None
+    for step in range(steps):
+        scene.look(where, START + (END - START) * (step + 1) / steps)
+        where.SMProxy.InteractiveRender()
+        if step == steps - 1:
+            where.UseInteractiveRenderingForScreenshots = 1
+            low = scene.array(where.CaptureWindow(1))
+            where.UseInteractiveRenderingForScreenshots = 0
+            assert where.SMProxy.GetClientSideObject().GetUsedLODForLastRender()
+    scene.look(where, END)
+    shown = scene.picture(where, "detail-%d" % steps)
+    simple.Delete(where)
+    return shown, low
+
+
+without, _ = draw(0)
+with_low, low = draw(4)
+assert (without == with_low).all(), "low detail moved the pattern: %f" % scene.difference(without, with_low)
+drawn = (low != 128).any(axis=2)
+ink = (low[drawn].max(axis=1) < 100).mean()
+assert 0.1 < ink < 0.9, "ink in low detail: %.3f" % ink
+# Strokes of low and full detail lie on each other.
+aside = numpy.roll(without, 4, axis=1)
+closeness = scene.difference(low, without) / scene.difference(low, aside)
+assert 0.0 < closeness < 0.2, "difference from full detail, as a part of that of other strokes: %f" % closeness
+
+# An array tone is there in low detail too.
+with scene.Messages() as messages:
+    elevation = simple.Elevation(Input=sphere)
+    where = scene.view(full_detail=False)
+    scene.show(elevation, where, PatternTone="Array", PatternToneArray=["POINTS", "Elevation"])
+    scene.look(where, START)
+    simple.Render(where)
+    where.SMProxy.InteractiveRender()
+assert not messages.text, messages.text

@@ -401,9 +401,11 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   const bool lowDetail = this->TrackedMapper != nullptr;
   vtkPatternMapper* steering = lowDetail ? this->TrackedMapper.Get() : this;
   auto* track = vtkPatternViewContext::Get(renderer)->Advance(steering, actor, viewport, lowDetail);
-  const bool rightEye = window->GetStereoRender() && !renderer->GetActiveCamera()->GetLeftEye();
+  // One eye's picture tells nothing new of a view that was measured already.
+  const bool otherEye =
+    window->GetStereoRender() && (!renderer->GetActiveCamera()->GetLeftEye() || !track->Moved);
   Drawing drawing{ renderer, actor, window, part, viewport, track,
-    !lowDetail && !rightEye && !viewport.IsTile };
+    !lowDetail && !otherEye && !viewport.IsTile };
   if (actor->IsRenderingTranslucentPolygonalGeometry())
   {
     this->RenderForward(drawing);

@@ -149,13 +149,9 @@ vtkPatternViewContext::Track* vtkPatternViewContext::Advance(
     track->Mapper = mapper;
     track->Actor = actor;
   }
-  const hachure::ViewProjection view = viewport.View(this->Renderer, actor);
-  vtkRenderWindow* window = this->Renderer->GetRenderWindow();
-  const bool rightEye =
-    window->GetStereoRender() && !this->Renderer->GetActiveCamera()->GetLeftEye();
   try
   {
-    this->Predict(*track, view, rightEye, lowDetail || viewport.IsTile);
+    this->Predict(*track, viewport, lowDetail || viewport.IsTile);
   }
   catch (const std::exception& problem)
   {
@@ -165,8 +161,7 @@ vtkPatternViewContext::Track* vtkPatternViewContext::Advance(
   return track;
 }
 
-void vtkPatternViewContext::Predict(
-  Track& track, const hachure::ViewProjection& view, bool rightEye, bool lookOn)
+void vtkPatternViewContext::Predict(Track& track, const vtkPatternViewport& viewport, bool lookOn)
 {
   vtkPatternStyle* style = track.Mapper->GetStyle();
   vtkPatternSamples::Options options;
@@ -178,18 +173,14 @@ void vtkPatternViewContext::Predict(
     track.Frames.assign(1, hachure::PatternFrame());
     return;
   }
+  const hachure::ViewProjection view = viewport.View(this->Renderer, track.Actor);
   if (style->GetTrackingMode() == vtkPatternStyle::ANCHORED)
   {
     track.Frames = track.Mapper->AnchoredFrames(samples, view, this->Renderer);
     return;
   }
-  const bool drawnBefore = !track.Frames.empty() && !track.Tracker.drawn().empty();
-  if (rightEye && drawnBefore)
-  {
-    track.Frames = track.Tracker.previewFromDrawn(samples, view);
-    return;
-  }
-  if (lookOn && drawnBefore)
+  const bool stereo = this->Renderer->GetRenderWindow()->GetStereoRender() != 0;
+  if (lookOn && !track.Tracker.drawn().empty())
   {
     const auto drawn = track.Tracker.drawn();
     track.Frames = !changed && NearlyEqual(view, track.View)
@@ -199,24 +190,38 @@ void vtkPatternViewContext::Predict(
   }
   if (track.Frame != this->FrameNumber)
   {
-    auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
-    const std::vector<std::uint8_t> visibility = track.Visibility.Read(window);
-    if (track.SetVersion != track.Samples.GetSetVersion())
-    {
-      track.Tracker.replaceSamples(samples);
-      track.SetVersion = track.Samples.GetSetVersion();
-    }
-    else if (!visibility.empty())
-    {
-      track.Tracker.setVisibility(visibility);
-    }
-    track.Tracker.setOptions(OptionsOf(style));
-    track.Tracker.advance(samples, view);
-    track.View = view;
-    track.Frame = this->FrameNumber;
+    this->AdvanceTracker(track, view, changed);
+  }
+  if (stereo)
+  {
+    track.Frames =
+      track.Tracker.previewFromDrawn(samples, viewport.EyeView(this->Renderer, track.Actor));
+    return;
   }
   const auto drawn = track.Tracker.drawn();
   track.Frames.assign(drawn.begin(), drawn.end());
+}
+
+void vtkPatternViewContext::AdvanceTracker(
+  Track& track, const hachure::ViewProjection& view, bool changed)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  const std::vector<std::uint8_t> visibility = track.Visibility.Read(window);
+  const hachure::TrackedSamples samples = track.Samples.Tracked();
+  if (track.SetVersion != track.Samples.GetSetVersion())
+  {
+    track.Tracker.replaceSamples(samples);
+    track.SetVersion = track.Samples.GetSetVersion();
+  }
+  else if (!visibility.empty())
+  {
+    track.Tracker.setVisibility(visibility);
+  }
+  track.Tracker.setOptions(OptionsOf(track.Mapper->GetStyle()));
+  track.Tracker.advance(samples, view);
+  track.Moved = changed || !(view == track.View) || track.Frame == 0;
+  track.View = view;
+  track.Frame = this->FrameNumber;
 }
 
 void vtkPatternViewContext::EndFrame()

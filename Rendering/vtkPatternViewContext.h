@@ -8,7 +8,8 @@
  * a frame; in it the first full drawing of an object advances its pattern, and every further
  * drawing (the other eye, depth peeling) finds it there. Tiles of a screenshot and stand-ins of
  * lower detail never advance it: they draw what an advance would give. The renderer's EndEvent
- * measures which samples the finished picture shows.
+ * measures which samples the finished picture shows. In stereo the state is that of the view from
+ * between the eyes, and each eye draws it moved to its own view.
  */
 #ifndef vtkPatternViewContext_h
 #define vtkPatternViewContext_h
@@ -48,6 +49,7 @@ public:
     hachure::ViewProjection View; // of the last advance
     std::uint64_t SetVersion = 0;
     unsigned long Frame = 0; // the frame of the last advance
+    bool Moved = true;       // that advance saw another view or surface than the one before
     vtkPatternVisibility Visibility;
     std::vector<hachure::PatternFrame> Frames; // to draw
   };
@@ -69,7 +71,8 @@ private:
   void Attach(vtkRenderer* renderer);
   void StartFrame();
   void EndFrame();
-  void Predict(Track& track, const hachure::ViewProjection& view, bool rightEye, bool lookOn);
+  void Predict(Track& track, const vtkPatternViewport& viewport, bool lookOn);
+  void AdvanceTracker(Track& track, const hachure::ViewProjection& view, bool changed);
 
   vtkRenderer* Renderer = nullptr; // owns this object
   std::vector<std::unique_ptr<Track>> Tracks;

@@ -8,6 +8,8 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -57,11 +59,9 @@ vtkPatternViewport::vtkPatternViewport(vtkRenderer* renderer, double pixelScale)
   }
 }
 
-hachure::ViewProjection vtkPatternViewport::View(vtkRenderer* renderer, vtkProp3D* prop) const
+hachure::ViewProjection vtkPatternViewport::Whole(
+  const glm::dmat4& modelToView, glm::dmat4 projection) const
 {
-  hachure::ViewProjection view;
-  view.modelToView = vtkPattern::ModelView(renderer, prop);
-  glm::dmat4 projection = vtkPattern::DrawnProjection(renderer);
   for (int column = 0; column < 4; ++column)
   {
     glm::dvec4& entry = projection[column];
@@ -70,9 +70,23 @@ hachure::ViewProjection vtkPatternViewport::View(vtkRenderer* renderer, vtkProp3
     // Samples have no use for depth, and the clipping range must not look like motion.
     entry.z = 0.0;
   }
-  view.viewToClip = projection;
-  view.viewportSize = this->LogicalSize;
-  return view;
+  return { modelToView, projection, this->LogicalSize };
+}
+
+hachure::ViewProjection vtkPatternViewport::View(vtkRenderer* renderer, vtkProp3D* prop) const
+{
+  // The camera leaves stereo out of this matrix alone; always taken, so that switching stereo on
+  // does not change a bit.
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const glm::dmat4 composite = vtkPattern::ToGlm(
+    camera->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  const glm::dmat4 view = vtkPattern::ToGlm(camera->GetViewTransformMatrix());
+  return this->Whole(vtkPattern::ModelView(renderer, prop), composite * glm::inverse(view));
+}
+
+hachure::ViewProjection vtkPatternViewport::EyeView(vtkRenderer* renderer, vtkProp3D* prop) const
+{
+  return this->Whole(vtkPattern::ModelView(renderer, prop), vtkPattern::DrawnProjection(renderer));
 }
 
 namespace vtkPattern

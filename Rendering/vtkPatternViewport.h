@@ -38,9 +38,13 @@ struct vtkPatternViewport
   bool IsTile;
 
   /// What the renderer's camera sees of a prop, with the whole (untiled) viewport as clip space.
+  /// In stereo the view of the middle between the eyes, the same as without stereo.
   hachure::ViewProjection View(vtkRenderer* renderer, vtkProp3D* prop) const;
+  /// The same for the eye that is being drawn.
+  hachure::ViewProjection EyeView(vtkRenderer* renderer, vtkProp3D* prop) const;
 
 private:
+  hachure::ViewProjection Whole(const glm::dmat4& modelToView, glm::dmat4 projection) const;
   glm::dvec4 TileToWhole; // whole clip xy = tile clip xy * xy + w * zw
 };
 

@@ -68,3 +68,26 @@ assert message() == ""
 assert message(PatternStyleFile="/nowhere/style.json").count("/nowhere/style.json") == 1
 missing = message(source=elevation, PatternTone="Array", PatternToneArray=["POINTS", "absent"])
 assert "absent" in missing, missing
+
+
+def selected(representation):
+    """Number of cells that a selection of the whole view finds, and the ids of the first ones."""
+    where = scene.view()
+    display = scene.show(both, where)
+    display.Representation = representation
+    scene.look(where, (0, 0.5, 5))
+    simple.Render(where)
+    before = scene.picture(where)
+    simple.SelectSurfaceCells(Rectangle=[0, 0] + list(scene.SIZE), View=where)
+    extracted = simple.ExtractSelection(Input=both)
+    extracted.UpdatePipeline()
+    count = extracted.GetDataInformation().GetNumberOfCells()
+    simple.ClearSelection(both)
+    simple.Delete(extracted)
+    after = scene.picture(where)
+    assert (before == after).all(), "selecting in %s changed the picture" % representation
+    simple.Delete(where)
+    return count
+
+
+assert selected("Pattern") == selected("Surface") > 500

@@ -76,4 +76,4 @@ lit, _ = draw(sphere, PatternPaper="Lit surface")
 assert share(lit, 255) < 0.5 * share(style, 255)
 for changed in {"PatternScale": 2}, {"PatternAngle": 30}, {"PatternOutline": "Off"}, {"PatternStyle": "hatch"}:
     other, _ = draw(sphere, **changed)
-    assert scene.difference(style, other) > 1, "%s changes nothing" % changed
+    assert scene.difference(style, other) > 0.2, "%s changes nothing" % changed

@@ -16,3 +16,10 @@ for wanted in (500, 2000):
     assert abs(data.GetNumberOfPoints() - wanted) < 0.15 * wanted, data.GetNumberOfPoints()
 for name in ("Normals", "Barycentrics", "PatchId", "SampleId"):
     assert data.GetPointData().HasArray(name), name
+
+image = simple.HachurePatternImage(Pattern="Halftone", Size=128, Periods=16)
+data = servermanager.Fetch(image)
+assert data.GetDimensions() == (128, 128, 1), data.GetDimensions()
+assert data.GetFieldData().GetArray("Periods").GetValue(0) == 16
+low, high = data.GetPointData().GetArray("Screen").GetRange()
+assert 0 <= low < 0.1 and 0.9 < high <= 1, (low, high)

@@ -96,7 +96,7 @@ float steeperSide(float before, float here, float after)
   return std::max(std::abs(after - here), std::abs(here - before));
 }
 
-void fillGradient(const RankedField& ranked, PatternTile& tile)
+void fillGradientAndTies(const RankedField& ranked, PatternTile& tile)
 {
   const int width = tile.width;
   const int height = tile.height;
@@ -120,6 +120,12 @@ void fillGradient(const RankedField& ranked, PatternTile& tile)
         const float alongY = steeperSide(below[x], row[x], above[x]);
         const float slope = std::sqrt(alongX * alongX + alongY * alongY);
         tile.gradient[texel] = std::max({ slope, ranked.span[texel], flattest }) * perBaseTexel;
+        // Where the field goes on to other values, filtering between texels spreads a tie evenly,
+        // and exactly along the field's own lines; only flat areas need their texels told apart.
+        if (slope >= 0.5f * ranked.span[texel])
+        {
+          tile.screen[texel] = ranked.middle[texel];
+        }
       }
     });
 }
@@ -132,7 +138,7 @@ PatternTile equalisedTile(
   tile.height = height;
   tile.periods = periods;
   tile.texelSize = texelSize;
-  fillGradient(rankTexels(field, tile), tile);
+  fillGradientAndTies(rankTexels(field, tile), tile);
   return tile;
 }
 

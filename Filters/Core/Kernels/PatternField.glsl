@@ -41,7 +41,7 @@ const float flatPeriod = 2.0f;
 // strokes dotted.
 float tileLevel(float texelsPerPixel)
 {
-  return max(0.0f, log2(max(texelsPerPixel, 1.0e-6f)) - 1.0f);
+  return max(0.0f, log2(max(texelsPerPixel, 1.0e-6f)) - 2.0f);
 }
 
 // Screen (x) and its change across a pixel (y) from the texels of both octaves.

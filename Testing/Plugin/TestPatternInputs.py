@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every kind of data is drawn with patterns, by light and by arrays, and properties change what they say."""
 
+import os
+
 import numpy
 import pattern_scene as scene
 from paraview import simple
@@ -77,3 +79,9 @@ assert share(lit, 255) < 0.5 * share(style, 255)
 for changed in {"PatternScale": 2}, {"PatternAngle": 30}, {"PatternOutline": "Off"}, {"PatternStyle": "hatch"}:
     other, _ = draw(sphere, **changed)
     assert scene.difference(style, other) > 0.2, "%s changes nothing" % changed
+
+# A style file goes before the name of a style.
+presets = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Rendering/Presets")
+named, _ = draw(sphere, PatternStyle="halftone")
+from_file, _ = draw(sphere, PatternStyle="hatch", PatternStyleFile=os.path.join(presets, "halftone.json"))
+assert (named == from_file).all()

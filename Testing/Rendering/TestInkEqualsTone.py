@@ -5,6 +5,7 @@
 import hachure
 import numpy
 import pattern_scene as scene
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 TONES = numpy.linspace(0.05, 0.95, 7)
 SIZES = (6, 8, 12)
@@ -88,6 +89,33 @@ def test_growing_pattern():
                     inks.append(scene.ink(scene.draw(window)))
                 error = abs(numpy.mean(inks) - tone)
                 assert error < TOLERANCE, (name, irregularity, scale, tone, inks)
+
+
+def clouds(size=128):
+    """A user's image: smooth and dark, far from equally distributed, without a seam."""
+    waves = numpy.random.default_rng(5).normal(size=(12, 4))
+    x, y = numpy.meshgrid(*(numpy.arange(size) * 2.0 * numpy.pi / size,) * 2)
+    height = sum(numpy.sin(round(2 * a) * x + round(2 * b) * y + c) for a, b, c, _ in waves)
+    image = vtkImageData()
+    image.SetDimensions(size, size, 1)
+    grey = 255.0 * ((height - height.min()) / numpy.ptp(height)) ** 3
+    values = scene.add_array(image.GetPointData(), "grey", grey.ravel())
+    image.GetPointData().SetScalars(values)
+    return image
+
+
+def test_image_of_a_user():
+    style = scene.constant_style(hachure.vtkImagePatternLayer.IMAGE, 128, 0.5, 0.0, 0.0)
+    style.GetLayer(0).SetImage(clouds())
+    actor = scene.actor_of(scene.plane(), style)
+    actor.GetProperty().LightingOff()
+    renderer = scene.renderer_of(actor, background=(1.0, 0.0, 0.0))
+    window = scene.window_of(renderer)
+    scene.look(renderer)
+    for tone in (0.0, *TONES, 1.0):
+        style.GetLayer(0).GetTone().SetConstant(tone)
+        found = scene.ink(scene.draw(window))
+        assert abs(found - tone) < (TOLERANCE if 0.0 < tone < 1.0 else 1e-12), (tone, found)
 
 
 scene.run(globals())

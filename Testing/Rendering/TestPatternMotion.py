@@ -190,4 +190,27 @@ def test_pan_and_zoom_hardly_slide():
         assert part < 0.08, (name, part)
 
 
+def test_fixed_in_the_image():
+    style = new_style()
+    actor = scene.actor_of(scene.plane(), style)
+    actor.GetProperty().LightingOff()
+    renderer = scene.renderer_of(actor)
+    window = scene.window_of(renderer, size=(SIZE, SIZE))
+    camera = scene.look(renderer)
+    pictures = {}
+    for motion in (style.GetLayer(0).FIXED_IN_IMAGE, style.GetLayer(0).SIMILARITY):
+        style.GetLayer(0).SetMotion(motion)
+        scene.look(renderer)
+        pictures[motion] = [scene.draw(window)]
+        for _ in range(3):
+            camera.Dolly(1.05)
+            camera.Roll(5.0)
+            camera.SetFocalPoint(0.1, 0.0, 0.0)
+            renderer.ResetCameraClippingRange()
+            pictures[motion].append(scene.draw(window))
+    still, moving = pictures[style.GetLayer(0).FIXED_IN_IMAGE], pictures[style.GetLayer(0).SIMILARITY]
+    assert all((a == still[0]).all() for a in still)
+    assert all((a != b).any() for a, b in zip(moving, moving[1:]))
+
+
 scene.run(globals())

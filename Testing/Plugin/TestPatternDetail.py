@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Hachure contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of low detail, drawn while a user drags, have patterns too and leave no trace in the next full one."""
+"""Pictures of low detail, drawn while a user drags, have patterns and leave no trace in the next full one."""
 
 import numpy
 import pattern_scene as scene

@@ -47,7 +47,8 @@ for wanted, source in kinds.items():
     assert ink > 0.05 and paper > 0.2, "%s: ink %.3f, paper %.3f" % (kind, ink, paper)
 
 # An array alone decides the ink where it is the tone: none below the range, nothing else above.
-tones = {"PatternTone": "Array", "PatternOutline": "Off", "PatternPaperColor": [1, 1, 0], "PatternPaper": "Color"}
+tones = {"PatternTone": "Array", "PatternOutline": "Off"}
+tones.update(PatternPaper="Color", PatternPaperColor=[1, 1, 0])
 for array in ("POINTS", "RTData"), ("CELLS", "RTData"):
     data = wavelet if array[0] == "POINTS" else simple.PointDatatoCellData(Input=wavelet)
     bare, _ = draw(data, PatternToneArray=array, PatternToneRange=[1000, 2000], **tones)

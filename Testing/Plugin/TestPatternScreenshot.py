@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Hachure contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A screenshot of three times the size shows the same strokes three times as large, and leaves the view as it was."""
+"""A screenshot of three times the size shows the same strokes, and leaves the view as it was."""
 
 import numpy
 import pattern_scene as scene

@@ -13,8 +13,8 @@ from paraview import simple
 from paraview.vtk.vtkIOImage import vtkPNGReader
 
 STYLES = ("hatch", "cross-hatch", "halftone")
-# Mean difference from VTK in levels, and pixels that differ by more than 16. Depth ranges differ, so that single
-# pixels of outlines do; the same strokes half a pixel aside differ by 4 levels.
+# Mean difference from VTK in levels, and pixels that differ by more than 16. Depth ranges differ, so that
+# single pixels of outlines do; the same strokes half a pixel aside differ by 4 levels.
 MEAN = 0.1
 PIXELS = 60
 

@@ -26,6 +26,7 @@
 #include "vtkPatternCompositor.h"
 #include "vtkPatternMapperHelper.h"
 #include "vtkPatternShaderInjector.h"
+#include "vtkPatternShaderText.h"
 #include "vtkPatternStyle.h"
 #include "vtkPatternToneChannels.h"
 #include "vtkPatternViewContext.h"
@@ -114,10 +115,10 @@ private:
   vtkPatternShaderInjector* Injector;
 };
 
-// Pixels (x, y, width, height) that the box can cover; all of the viewport where the box reaches
-// behind the camera.
-std::array<int, 4> ScreenRectangle(
-  const double bounds[6], const glm::dmat4& modelToClip, const std::array<int, 4>& viewport)
+// Pixels (x, y, width, height) that the box can cover, and a margin around them; all of the
+// viewport where the box reaches behind the camera.
+std::array<int, 4> ScreenRectangle(const double bounds[6], const glm::dmat4& modelToClip,
+  const std::array<int, 4>& viewport, int margin)
 {
   glm::dvec2 lower(1.0);
   glm::dvec2 upper(-1.0);
@@ -145,9 +146,9 @@ std::array<int, 4> ScreenRectangle(
   {
     const int size = viewport[2 + axis];
     const int begin =
-      std::max(0, static_cast<int>(std::floor((lower[axis] * 0.5 + 0.5) * size)) - 1);
+      std::max(0, static_cast<int>(std::floor((lower[axis] * 0.5 + 0.5) * size)) - margin);
     const int end =
-      std::min(size, static_cast<int>(std::ceil((upper[axis] * 0.5 + 0.5) * size)) + 1);
+      std::min(size, static_cast<int>(std::ceil((upper[axis] * 0.5 + 0.5) * size)) + margin);
     rectangle[axis] = viewport[axis] + begin;
     rectangle[2 + axis] = end - begin;
   }
@@ -374,7 +375,13 @@ void vtkPatternMapper::UpdateChannels()
 
 void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
-  if (!this->DrawsPatterns(renderer, actor) || !this->GetInputAlgorithm())
+  if (!this->GetInputAlgorithm())
+  {
+    this->Report("input: none is connected; expected polydata or a composite of polydata",
+      this->Internal->ReportedStyle);
+    return;
+  }
+  if (!this->DrawsPatterns(renderer, actor))
   {
     this->Superclass::Render(renderer, actor);
     return;
@@ -455,7 +462,9 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
   this->GetBounds(bounds);
   if (vtkBoundingBox::IsValid(bounds))
   {
-    drawing.Rectangle = ScreenRectangle(bounds, modelToClip, drawing.Viewport.Drawn);
+    // Outlines look as far around a pixel as they are wide.
+    const int margin = 2 + static_cast<int>(std::ceil(1.5 * this->OutlinePixels(drawing)));
+    drawing.Rectangle = ScreenRectangle(bounds, modelToClip, drawing.Viewport.Drawn, margin);
   }
   if (drawing.Rectangle[2] > 0 && drawing.Rectangle[3] > 0)
   {
@@ -490,7 +499,8 @@ void vtkPatternMapper::DrawAttributes(Drawing& drawing)
     vtkOpenGLState::ScopedglClearColor clearColor(state);
     vtkOpenGLState::ScopedglDepthMask depthMask(state);
     drawing.Part.Resources->AttributeFramebuffer->Bind();
-    drawing.Part.Resources->AttributeFramebuffer->ActivateDrawBuffers(2);
+    drawing.Part.Resources->AttributeFramebuffer->ActivateDrawBuffers(
+      vtkPatternWindowResources::AttributeCount);
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(
       drawing.Rectangle[0], drawing.Rectangle[1], drawing.Rectangle[2], drawing.Rectangle[3]);
@@ -506,18 +516,28 @@ void vtkPatternMapper::DrawAttributes(Drawing& drawing)
   state->PopFramebufferBindings();
 }
 
+std::string vtkPatternMapper::ScreenText(WindowPart& part, bool outline)
+{
+  std::string text = PatternScreenFS;
+  vtkShaderProgram::Substitute(text, "//Hachure::Compose::Dec", part.Compositor.GetShaderText());
+  if (outline)
+  {
+    vtkShaderProgram::Substitute(
+      text, "//Hachure::Outline::Dec", vtkPattern::ShaderSection(PatternOutline, "Functions"));
+    vtkShaderProgram::Substitute(
+      text, "//Hachure::Outline::Impl", vtkPattern::ShaderSection(PatternOutline, "Call"));
+    vtkShaderProgram::Substitute(text, "//Hachure::Crease::Impl",
+      this->Style->GetOutlineCreases() ? vtkPattern::ShaderSection(PatternOutline, "Crease")
+                                       : std::string());
+  }
+  return text;
+}
+
 void vtkPatternMapper::DrawScreen(Drawing& drawing)
 {
   WindowPart& part = drawing.Part;
-  std::string text = PatternScreenFS;
-  vtkShaderProgram::Substitute(text, "//Hachure::Compose::Dec", part.Compositor.GetShaderText());
-  const bool outline = this->Style->GetOutline() && this->Style->GetOutlineWidth() > 0.0;
-  std::string outlineText = PatternOutline;
-  const std::size_t call = outlineText.find("//Section Call");
-  vtkShaderProgram::Substitute(
-    text, "//Hachure::Outline::Dec", outline ? outlineText.substr(0, call) : std::string());
-  vtkShaderProgram::Substitute(
-    text, "//Hachure::Outline::Impl", outline ? outlineText.substr(call) : std::string());
+  const bool outline = this->OutlinePixels(drawing) > 0.0;
+  const std::string text = this->ScreenText(part, outline);
   if (!part.ScreenPass || part.ScreenText != text)
   {
     if (part.ScreenPass)
@@ -539,11 +559,13 @@ void vtkPatternMapper::DrawScreen(Drawing& drawing)
 
   vtkPatternWindowResources& resources = *part.Resources;
   resources.SurfaceColor->Activate();
-  resources.SurfaceData->Activate();
+  resources.SurfaceTone->Activate();
+  resources.SurfaceNormal->Activate();
   resources.SurfaceDepth->Activate();
   part.Compositor.Activate();
   program->SetUniformi("hachureSurfaceColor", resources.SurfaceColor->GetTextureUnit());
-  program->SetUniformi("hachureSurfaceData", resources.SurfaceData->GetTextureUnit());
+  program->SetUniformi("hachureSurfaceTone", resources.SurfaceTone->GetTextureUnit());
+  program->SetUniformi("hachureSurfaceNormal", resources.SurfaceNormal->GetTextureUnit());
   program->SetUniformi("hachureSurfaceDepth", resources.SurfaceDepth->GetTextureUnit());
   double nanColor[3];
   this->GetNanColor(nanColor);
@@ -569,8 +591,17 @@ void vtkPatternMapper::DrawScreen(Drawing& drawing)
   }
   part.Compositor.Deactivate();
   resources.SurfaceDepth->Deactivate();
-  resources.SurfaceData->Deactivate();
+  resources.SurfaceNormal->Deactivate();
+  resources.SurfaceTone->Deactivate();
   resources.SurfaceColor->Deactivate();
+}
+
+double vtkPatternMapper::OutlinePixels(const Drawing& drawing)
+{
+  return this->Style->GetOutline() ? this->Style->GetLengthInPixels(this->Style->GetOutlineWidth(),
+                                       this->Style->GetOutlineWidthUnit()) *
+      drawing.Viewport.PixelsPerLogical
+                                   : 0.0;
 }
 
 void vtkPatternMapper::SetOutline(Drawing& drawing, vtkShaderProgram* program)
@@ -581,16 +612,13 @@ void vtkPatternMapper::SetOutline(Drawing& drawing, vtkShaderProgram* program)
     static_cast<float>(color[2]), 1.0f };
   program->SetUniform4f("hachureOutlineInk", ink);
 
-  const double width =
-    style->GetLengthInPixels(style->GetOutlineWidth(), style->GetOutlineWidthUnit()) *
-    drawing.Viewport.PixelsPerLogical;
+  const double width = this->OutlinePixels(drawing);
   constexpr double radiansPerDegree = 3.14159265358979323846 / 180.0;
   // Steps in depth below this part of the object's size are relief, not contours.
   constexpr double slack = 0.004;
   const float shape[4] = { static_cast<float>(width),
     static_cast<float>(std::cos(style->GetOutlineCreaseAngle() * radiansPerDegree)),
-    static_cast<float>(slack * drawing.Actor->GetLength()),
-    static_cast<float>(std::ceil(width + 1.0)) };
+    static_cast<float>(slack * drawing.Actor->GetLength()), 0.0f };
   program->SetUniform4f("hachureOutlineShape", shape);
   const float kinds[3] = { style->GetOutlineSilhouette() ? 1.0f : 0.0f,
     style->GetOutlineCreases() ? 1.0f : 0.0f, style->GetOutlineBorders() ? 1.0f : 0.0f };
@@ -613,14 +641,10 @@ void vtkPatternMapper::SetOutline(Drawing& drawing, vtkShaderProgram* program)
       static_cast<float>((-2.0 * origin / size - 1.0 + shift) / projection[axis][axis]);
   }
   program->SetUniform4f("hachureFragmentToView", fragmentToView);
-  const auto setCorners = [program](const char* name, const std::array<int, 4>& area)
-  {
-    const float corners[4] = { static_cast<float>(area[0]), static_cast<float>(area[1]),
-      static_cast<float>(area[0] + area[2]), static_cast<float>(area[1] + area[3]) };
-    program->SetUniform4f(name, corners);
-  };
-  setCorners("hachureRectangle", drawing.Rectangle);
-  setCorners("hachureViewport", drawing.Viewport.Drawn);
+  const std::array<int, 4>& area = drawing.Viewport.Drawn;
+  const float viewport[4] = { static_cast<float>(area[0]), static_cast<float>(area[1]),
+    static_cast<float>(area[0] + area[2] - 1), static_cast<float>(area[1] + area[3] - 1) };
+  program->SetUniform4f("hachureViewport", viewport);
 }
 
 bool vtkPatternMapper::HasRemainder(vtkActor* actor)

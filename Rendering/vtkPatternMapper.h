@@ -171,6 +171,8 @@ private:
   void RenderForward(Drawing& drawing);
   void DrawAttributes(Drawing& drawing);
   void DrawScreen(Drawing& drawing);
+  std::string ScreenText(WindowPart& part, bool outline);
+  double OutlinePixels(const Drawing& drawing);
   void SetOutline(Drawing& drawing, vtkShaderProgram* program);
   bool HasRemainder(vtkActor* actor);
   void GetNanColor(double color[3]);

@@ -4,28 +4,17 @@
 
 #include "PatternSurface.h"
 #include "vtkObjectFactory.h"
+#include "vtkPatternShaderText.h"
 #include "vtkPatternTone.h"
 #include "vtkShaderProgram.h"
-
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkPatternShaderInjector);
 
 namespace
 {
-// The text between "//Section name" and the next section.
 std::string Section(const std::string& name)
 {
-  static const std::string all = PatternSurface;
-  const std::string head = "//Section " + name + "\n";
-  const std::size_t found = all.find(head);
-  if (found == std::string::npos)
-  {
-    throw std::logic_error("shader section " + name);
-  }
-  const std::size_t begin = found + head.size();
-  const std::size_t end = all.find("//Section ", begin);
-  return all.substr(begin, end == std::string::npos ? end : end - begin);
+  return vtkPattern::ShaderSection(PatternSurface, name);
 }
 
 std::string ForChannel(const std::string& name, std::size_t channel)

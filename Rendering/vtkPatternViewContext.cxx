@@ -51,10 +51,13 @@ hachure::TrackerOptions OptionsOf(vtkPatternStyle* style)
   return options;
 }
 
-// Cameras of tiles are reconstructed from their parts and lose the last digits.
-bool NearlyEqual(const hachure::ViewProjection& a, const hachure::ViewProjection& b)
+// Whoever takes a screenshot hands back cameras that have lost their last digits.
+constexpr double sameViewTolerance = 2e-6;
+constexpr double sameTileTolerance = 1e-5;
+
+bool NearlyEqual(
+  const hachure::ViewProjection& a, const hachure::ViewProjection& b, double tolerance)
 {
-  constexpr double tolerance = 1e-5;
   const glm::dmat4 first = a.viewToClip * a.modelToView;
   const glm::dmat4 second = b.viewToClip * b.modelToView;
   double largest = 0.0;
@@ -124,6 +127,7 @@ void vtkPatternViewContext::Reanchor(vtkPatternMapper* mapper)
     if (track->Mapper == mapper)
     {
       track->Tracker.reanchor();
+      track->View = hachure::ViewProjection();
       track->Visibility.Forget();
     }
   }
@@ -183,7 +187,7 @@ void vtkPatternViewContext::Predict(Track& track, const vtkPatternViewport& view
   if (lookOn && !track.Tracker.drawn().empty())
   {
     const auto drawn = track.Tracker.drawn();
-    track.Frames = !changed && NearlyEqual(view, track.View)
+    track.Frames = !changed && NearlyEqual(view, track.View, sameTileTolerance)
       ? std::vector<hachure::PatternFrame>(drawn.begin(), drawn.end())
       : track.Tracker.preview(samples, view);
     return;
@@ -218,10 +222,14 @@ void vtkPatternViewContext::AdvanceTracker(
     track.Tracker.setVisibility(visibility);
   }
   track.Tracker.setOptions(OptionsOf(track.Mapper->GetStyle()));
-  track.Tracker.advance(samples, view);
-  track.Moved = changed || !(view == track.View) || track.Frame == 0;
-  track.View = view;
+  track.Moved =
+    changed || track.Tracker.drawn().empty() || !NearlyEqual(view, track.View, sameViewTolerance);
   track.Frame = this->FrameNumber;
+  if (track.Moved)
+  {
+    track.Tracker.advance(samples, view);
+    track.View = view;
+  }
 }
 
 void vtkPatternViewContext::EndFrame()

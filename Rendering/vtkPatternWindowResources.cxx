@@ -33,15 +33,16 @@ bool vtkPatternWindowResources::Prepare(vtkOpenGLRenderWindow* window)
     return true;
   }
   this->ReleaseGraphicsResources(window);
-  for (vtkTextureObject* texture :
-    { this->SurfaceColor.Get(), this->SurfaceData.Get(), this->SurfaceDepth.Get() })
+  for (vtkTextureObject* texture : { this->SurfaceColor.Get(), this->SurfaceTone.Get(),
+         this->SurfaceNormal.Get(), this->SurfaceDepth.Get() })
   {
     texture->SetContext(window);
     texture->SetMinificationFilter(vtkTextureObject::Nearest);
     texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   }
   this->SurfaceColor->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR);
-  this->SurfaceData->Allocate2D(width, height, 4, VTK_FLOAT);
+  this->SurfaceTone->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR);
+  this->SurfaceNormal->Allocate2D(width, height, 1, VTK_FLOAT);
   this->SurfaceDepth->AllocateDepth(width, height, vtkTextureObject::Fixed32);
 
   vtkOpenGLState* state = window->GetState();
@@ -49,9 +50,10 @@ bool vtkPatternWindowResources::Prepare(vtkOpenGLRenderWindow* window)
   this->AttributeFramebuffer->SetContext(window);
   this->AttributeFramebuffer->Bind();
   this->AttributeFramebuffer->AddColorAttachment(0, this->SurfaceColor);
-  this->AttributeFramebuffer->AddColorAttachment(1, this->SurfaceData);
+  this->AttributeFramebuffer->AddColorAttachment(1, this->SurfaceTone);
+  this->AttributeFramebuffer->AddColorAttachment(2, this->SurfaceNormal);
   this->AttributeFramebuffer->AddDepthAttachment(this->SurfaceDepth);
-  this->AttributeFramebuffer->ActivateDrawBuffers(2);
+  this->AttributeFramebuffer->ActivateDrawBuffers(AttributeCount);
   const bool complete = this->AttributeFramebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER) != 0;
   state->PopFramebufferBindings();
   return complete;
@@ -93,7 +95,8 @@ void vtkPatternWindowResources::ReleaseGraphicsResources(vtkWindow* window)
   this->AttributeFramebuffer->ReleaseGraphicsResources(window);
   this->DepthFramebuffer->ReleaseGraphicsResources(window);
   this->SurfaceColor->ReleaseGraphicsResources(window);
-  this->SurfaceData->ReleaseGraphicsResources(window);
+  this->SurfaceTone->ReleaseGraphicsResources(window);
+  this->SurfaceNormal->ReleaseGraphicsResources(window);
   this->SurfaceDepth->ReleaseGraphicsResources(window);
   this->DepthSize = { 0, 0 };
 }

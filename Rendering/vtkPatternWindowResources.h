@@ -33,10 +33,12 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
+  static constexpr unsigned int AttributeCount = 3; ///< colour attachments
   vtkNew<vtkOpenGLFramebufferObject> AttributeFramebuffer;
-  vtkNew<vtkTextureObject> SurfaceColor; ///< display-referred colour; alpha: 1 - half drawn edge
-  vtkNew<vtkTextureObject> SurfaceData;  ///< tones of three channels, packed normal
-  vtkNew<vtkTextureObject> SurfaceDepth; ///< window depth
+  vtkNew<vtkTextureObject> SurfaceColor;  ///< display-referred colour; alpha: 1 - half drawn edge
+  vtkNew<vtkTextureObject> SurfaceTone;   ///< tones of three channels; alpha: 0 without data
+  vtkNew<vtkTextureObject> SurfaceNormal; ///< normal in view coordinates, packed into one float
+  vtkNew<vtkTextureObject> SurfaceDepth;  ///< window depth
 
 private:
   vtkNew<vtkOpenGLFramebufferObject> DepthFramebuffer;

@@ -4,13 +4,13 @@
 // A flat surface has a window depth that is affine in the picture, so the normal tells the depth
 // of every neighbour if the surface went on flat. What deviates is a contour.
 
+//Section Functions
 uniform vec4 hachureOutlineInk;     // rgb display-referred, a: opacity
-uniform vec4 hachureOutlineShape;   // width in framebuffer pixels, cos of the crease angle, depth slack in view units, pixels to march
+uniform vec4 hachureOutlineShape;   // width in framebuffer pixels, cos of the crease angle, depth slack in view units, 0
 uniform vec3 hachureOutlineKinds;   // 1 where silhouettes, creases, borders are drawn
 uniform vec4 hachureDepthToView;    // view z = (x - ndc * y) / (ndc * z - w), ndc = 2 depth - 1
 uniform vec4 hachureFragmentToView; // view xy (perspective: at unit depth): fragment * xy + zw
-uniform vec4 hachureRectangle;      // pixels the attribute stage covered: lower left, upper right
-uniform vec4 hachureViewport;       // pixels of the viewport, likewise
+uniform vec4 hachureViewport;       // first and last pixels of the viewport
 
 vec3 hachureUnpackNormal(float coded)
 {
@@ -23,20 +23,6 @@ vec3 hachureUnpackNormal(float coded)
       (1.0 - abs(n.x)) * (n.y < 0.0 ? -1.0 : 1.0), n.z);
   }
   return normalize(n);
-}
-
-// Window depth of a neighbour; background where this object did not draw, `depth` where the
-// picture ends and nobody knows.
-float hachureNeighbourDepth(ivec2 pixel, float depth)
-{
-  vec2 at = vec2(pixel);
-  if (any(lessThan(at, hachureViewport.xy)) || any(greaterThanEqual(at, hachureViewport.zw)))
-  {
-    return -1.0;
-  }
-  bool drawn = all(greaterThanEqual(at, hachureRectangle.xy)) &&
-    all(lessThan(at, hachureRectangle.zw));
-  return drawn ? texelFetch(hachureSurfaceDepth, pixel, 0).r : 1.0;
 }
 
 // What one pixel knows of its surroundings.
@@ -76,80 +62,76 @@ HachurePlane hachurePlaneAt(ivec2 pixel, float depth, vec3 normal)
   return plane;
 }
 
-// True where no contour can be near: the surroundings at the reach of a line lie in the plane.
-bool hachureIsFlat(ivec2 pixel, float depth, HachurePlane plane)
+// The eight neighbours, those beside first.
+ivec2 hachureDirection(int index)
 {
-  int reach = int(hachureOutlineShape.w);
-  // A bend by 15 degrees over the reach; depth magnifies bends as the view grazes the surface.
-  float facing = clamp(plane.facing, 0.2, 1.0);
-  float bend = 0.25 * float(reach) * plane.unit * plane.perUnit / (facing * facing) + 1e-6;
-  float slack = hachureOutlineShape.z * plane.perUnit;
-  for (int direction = 0; direction < 9; ++direction)
-  {
-    ivec2 offset = reach * ivec2((direction / 3) - 1, (direction % 3) - 1);
-    float other = hachureNeighbourDepth(pixel + offset, depth);
-    float rise = dot(plane.slope, vec2(offset));
-    float step = other - depth - rise;
-    float allowed = slack + 2.0 * abs(rise);
-    bool bent = hachureOutlineKinds.y > 0.0 && abs(step) > bend;
-    if (other >= 0.0 && (other >= 1.0 || bent || step > allowed))
-    {
-      return false;
-    }
-  }
-  return true;
+  int side = 1 - 2 * (index % 2);
+  ivec2 straight = index < 2 ? ivec2(side, 0) : ivec2(0, side);
+  ivec2 oblique = index < 6 ? ivec2(side, side) : ivec2(side, -side);
+  return index < 4 ? straight : oblique;
 }
 
 // Coverage of the outline at a pixel.
+//
+// First the surroundings are tried, one tap to each side, far enough that no line can pass between.
+// Only where one of them leaves the plane, all taps nearer by are tried for the nearest contour. One
+// loop does both: software OpenGL executes both sides of every branch, but a loop no more often than
+// it must.
 float hachureOutline(ivec2 pixel, float depth, float codedNormal)
 {
   vec3 normal = hachureUnpackNormal(codedNormal);
   HachurePlane plane = hachurePlaneAt(pixel, depth, normal);
-  if (hachureIsFlat(pixel, depth, plane))
-  {
-    return 0.0;
-  }
-  // A contour of a surface that still faces the viewer is a border or a sharp corner.
-  bool contour = hachureOutlineKinds.x > 0.0 || (plane.facing > 0.25 && hachureOutlineKinds.z > 0.0);
+  // Distances count from the middle between two pixels; lines end half a pixel past their width.
+  int reach = int(ceil(1.4142 * (hachureOutlineShape.x + 0.5)));
+  int strides = int(hachureOutlineShape.x + 1.0);
   float slack = hachureOutlineShape.z * plane.perUnit;
+  // A bend by 15 degrees over the reach; depth magnifies bends as the view grazes the surface.
+  float facing = clamp(plane.facing, 0.2, 1.0);
+  float bend = 0.25 * float(reach) * plane.unit * plane.perUnit / (facing * facing) + 1e-6;
+  // A contour of a surface that still faces the viewer is a border or a sharp corner.
+  bool contours =
+    hachureOutlineKinds.x > 0.0 || (plane.facing > 0.25 && hachureOutlineKinds.z > 0.0);
   float nearest = 1e6;
-  for (int direction = 0; direction < 9; ++direction)
+  int last = depth < 1.0 ? 3 : 0;
+  int tap = 0;
+  for (;;)
   {
-    ivec2 offset = ivec2((direction / 3) - 1, (direction % 3) - 1);
-    float stride = length(vec2(offset));
-    for (int k = 1; k <= int(hachureOutlineShape.w); ++k)
+    bool trying = tap < 4;
+    int stride = trying ? reach : (tap - 4) / 8 + 1;
+    // What lies past the border of the picture is unknown: the border stands for it.
+    vec2 neighbour = clamp(vec2(pixel + stride * hachureDirection(trying ? tap : (tap - 4) % 8)),
+      hachureViewport.xy, hachureViewport.zw);
+    ivec2 offset = ivec2(neighbour) - pixel;
+    float other = texelFetch(hachureSurfaceDepth, pixel + offset, 0).r;
+    float rise = dot(plane.slope, vec2(offset));
+    float step = other - depth - rise;
+    bool behind = other >= 1.0 || step > slack + 2.0 * abs(rise);
+    bool bent = abs(step) > bend && hachureOutlineKinds.y > 0.0;
+    if (trying)
     {
-      float distance = stride * (float(k) - 0.5);
-      if (stride == 0.0 || distance > hachureOutlineShape.x + 0.5 || distance >= nearest)
-      {
-        break;
-      }
-      ivec2 other = pixel + k * offset;
-      float otherDepth = hachureNeighbourDepth(other, depth);
-      if (otherDepth < 0.0)
-      {
-        break;
-      }
-      float rise = dot(plane.slope, vec2(k * offset));
-      float step = otherDepth - depth - rise;
-      float allowed = slack + 2.0 * abs(rise);
-      if (otherDepth >= 1.0 || step > allowed)
-      {
-        nearest = contour ? min(nearest, distance) : nearest;
-        break;
-      }
-      if (hachureOutlineKinds.y > 0.0 && abs(step) <= allowed &&
-        dot(normal, hachureUnpackNormal(texelFetch(hachureSurfaceData, other, 0).a)) <
-          hachureOutlineShape.y)
-      {
-        // Both sides of a crease draw half of the line.
-        nearest = min(nearest, distance + 0.5 * hachureOutlineShape.x);
-        break;
-      }
+      last = depth < 1.0 && (behind || bent) ? 3 + 8 * strides : last;
+    }
+    else
+    {
+      float distance = length(vec2(offset)) * (1.0 - 0.5 / float(stride));
+      //Hachure::Crease::Impl
+      nearest = behind && contours ? min(nearest, distance) : nearest;
+    }
+    ++tap;
+    if (tap > last || nearest < 1.0)
+    {
+      break;
     }
   }
   return clamp(hachureOutlineShape.x - nearest + 0.5, 0.0, 1.0);
 }
 
+//Section Crease
+      // Both sides of a crease draw half of the line.
+      vec3 otherNormal =
+        hachureUnpackNormal(texelFetch(hachureSurfaceNormal, pixel + offset, 0).r);
+      nearest = !behind && dot(normal, otherNormal) < hachureOutlineShape.y
+        ? min(nearest, distance + 0.5 * hachureOutlineShape.x)
+        : nearest;
 //Section Call
-  color = mix(color, toLinear(hachureOutlineInk.rgb), hachureOutline(pixel, depth, data.a) * hachureOutlineInk.a);
+  color = mix(color, toLinear(hachureOutlineInk.rgb), hachureOutline(pixel, depth, texelFetch(hachureSurfaceNormal, pixel, 0).r) * hachureOutlineInk.a);

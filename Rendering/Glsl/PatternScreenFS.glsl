@@ -5,9 +5,10 @@
 
 in vec2 texCoord;
 
-uniform sampler2D hachureSurfaceColor; // rgb display-referred colour, a: 1 - half the drawn edge
-uniform sampler2D hachureSurfaceData;  // rgb tones, a: packed normal in view coordinates
-uniform sampler2D hachureSurfaceDepth; // window depth, 1 where nothing was drawn
+uniform sampler2D hachureSurfaceColor;  // rgb display-referred colour, a: 1 - half the drawn edge
+uniform sampler2D hachureSurfaceTone;   // rgb tones, a: 0 where the data has no number
+uniform sampler2D hachureSurfaceNormal; // packed normal in view coordinates
+uniform sampler2D hachureSurfaceDepth;  // window depth, 1 where nothing was drawn
 
 //Hachure::Compose::Dec
 
@@ -23,8 +24,9 @@ void main()
   {
     discard;
   }
-  vec4 data = texelFetch(hachureSurfaceData, pixel, 0);
-  vec3 color = hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), surface.rgb, data.rgb);
+  vec4 data = texelFetch(hachureSurfaceTone, pixel, 0);
+  vec3 tones = data.a > 0.5 ? data.rgb : vec3(-1.0);
+  vec3 color = hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), surface.rgb, tones);
   //Hachure::Outline::Impl
   // Edges that VTK drew lie over the pattern.
   vec3 display = mix(fromLinear(color), surface.rgb, clamp(2.0 - 2.0 * surface.a, 0.0, 1.0));

@@ -77,7 +77,9 @@ float hachurePackNormal(vec3 n)
 
 //Section Attributes
   gl_FragData[0].a = 1.0 - 0.5 * hachureEdge;
-  gl_FragData[1] = vec4(hachureTone, hachurePackNormal(hachureNormal));
+  bool hachureHasData = min(hachureTone.x, min(hachureTone.y, hachureTone.z)) >= 0.0;
+  gl_FragData[1] = vec4(hachureTone, hachureHasData ? 1.0 : 0.0);
+  gl_FragData[2] = vec4(hachurePackNormal(hachureNormal), 0.0, 0.0, 1.0);
 //Section Forward
   gl_FragData[0].rgb = mix(
     fromLinear(

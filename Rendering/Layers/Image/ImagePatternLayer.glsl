@@ -9,13 +9,20 @@ float hachureCoverage@(vec2 position, float tone)
   vec2 uv = (hachureUv@ * vec3(position, 1.0)).xy;
   vec2 first = vec2(0.0);
   vec2 second = vec2(0.0);
-  if (hachureOctave@.y < 1.0)
+  // Software OpenGL executes both sides of every branch, but a loop no more often than it must.
+  int octave = hachureOctave@.y < 1.0 ? 0 : 1;
+  int last = hachureOctave@.y > 0.0 ? 1 : 0;
+  for (;;)
   {
-    first = textureLod(hachureTile@, uv, tileLevel(hachureOctave@.x)).rg;
-  }
-  if (hachureOctave@.y > 0.0)
-  {
-    second = textureLod(hachureTile@, 2.0 * uv, tileLevel(2.0 * hachureOctave@.x)).rg;
+    float size = float(octave + 1);
+    vec2 texel = textureLod(hachureTile@, size * uv, tileLevel(size * hachureOctave@.x)).rg;
+    first = octave == 0 ? texel : first;
+    second = octave == 1 ? texel : second;
+    ++octave;
+    if (octave > last)
+    {
+      break;
+    }
   }
   vec2 field = patternField(first, second, hachureOctave@.y, hachureOctave@.x);
   return patternInk(

@@ -113,7 +113,7 @@ def test_viewport_with_an_offset():
         stage.move(step)
         found = scene.draw(stage.window)[80:280, 100:300]
         difference = abs(found.astype(int) - expected)
-        assert difference.max() <= 2 and (difference > 0).mean() < 0.01, (step, difference.max())
+        assert difference.max() <= 8 and (difference > 0).mean() < 0.01, (step, difference.max())
 
 
 def test_stereo():
@@ -144,15 +144,30 @@ def test_path_in_stereo():
         assert abs(expected - found)[:2].max() < 0.5, (expected, found)
 
 
+def tiles(stage):
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(stage.window)
+    grabber.SetScale(3)
+    grabber.ReadFrontBufferOff()
+    grabber.Update()
+    assert grabber.GetOutput().GetDimensions()[:2] == (600, 600)
+
+
+def elsewhere(disturb):
+    """The same from another point of view, from which no frame was drawn."""
+    def there_and_back(stage):
+        camera = stage.renderer.GetActiveCamera()
+        before = copied_camera(stage.renderer)
+        camera.Azimuth(25.0)
+        camera.Roll(10.0)
+        disturb(stage)
+        camera.DeepCopy(before)
+    return there_and_back
+
+
 def test_tiles():
-    def tiles(stage):
-        grabber = vtkWindowToImageFilter()
-        grabber.SetInput(stage.window)
-        grabber.SetScale(3)
-        grabber.ReadFrontBufferOff()
-        grabber.Update()
-        assert grabber.GetOutput().GetDimensions()[:2] == (600, 600)
     check_path(tiles)
+    check_path(elsewhere(tiles))
 
 
 def test_selection():
@@ -169,6 +184,7 @@ def test_selection():
         assert all(selection.GetNode(i).GetSelectionList().GetNumberOfTuples() > 50
                    for i in range(2))
     check_path(select)
+    check_path(elsewhere(select))
 
 
 def test_picking():

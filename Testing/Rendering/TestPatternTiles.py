@@ -85,24 +85,28 @@ def test_translucent_screenshot():
         check_agreement(name, 0.5, 2.0 * BOUND)
 
 
+# A picture full of ruled pattern. Where the second direction of a cross-hatch sets in, its lines are
+# thinner than a pixel, and the threshold that keeps the tone there moves the other edges, too.
+PLANE_BOUNDS = {"hatch": BOUND, "cross-hatch": 2.0 * BOUND, "halftone": BOUND}
+
+
 def test_ruled_patterns_on_a_plane():
     actor = scene.actor_of(scene.plane(), "hatch")
     actor.GetProperty().LightingOff()
     renderer = scene.renderer_of(actor)
     window = scene.window_of(renderer, size=(SIZE, SIZE))
     scene.look(renderer)
-    worst = (0.0,)
-    for name in STYLES:
+    for name, bound in PLANE_BOUNDS.items():
         pattern = hachure.style(name).GetLayer(0).GetPattern()
         for angle in (45.0, 20.0):
-            for tone in (0.1, 0.35, 0.5, 0.8):
+            means = []
+            for tone in (0.1, 0.3, 0.5, 0.7, 0.9):
                 actor.GetMapper().SetStyle(scene.constant_style(pattern, 8, tone, 0.0, angle))
                 small = scene.draw(window)
-                mean = 255.0 * abs(reduced(screenshot(window)) - scene.linear(small)).mean()
-                worst = max(worst, (mean, name, angle, tone))
-    print("ruled patterns differ by at most", worst)
-    # All of the picture is pattern here; the bound of a whole scene applies to the mean of tones.
-    assert worst[0] < 2.0 * BOUND, worst
+                means.append(255.0 * abs(reduced(screenshot(window)) - scene.linear(small)).mean())
+            mean = sum(means) / len(means)
+            print("ruled", name, angle, "differs by", mean, "on the mean of tones", means)
+            assert mean < bound, (name, angle, means)
 
 
 def check_seams(stage, whole, name):
@@ -150,14 +154,17 @@ def test_other_scales():
 def test_pixel_scale_is_resolution():
     """A window with three pixels for one shows the same picture, finer."""
     for name in STYLES:
-        small, large = Stage(name, SIZE), Stage(name, SCALE * SIZE, 1.0, SCALE)
+        # Tracked patterns lie a little apart: what is visible is measured in either resolution.
+        frames = [scene.drawn_frame(stage.actor.GetMapper(), stage.renderer)
+                  for stage in (Stage(name, SIZE), Stage(name, SCALE * SIZE, 1.0, SCALE))]
+        assert abs(frames[0] - frames[1]).max() < 0.1, frames
+        small, large = anchored_pair(name, False)
         for stage in (small, large):
-            stage.actor.GetMapper().GetStyle().OutlineOff()
+            layer = stage.actor.GetMapper().GetStyle().GetLayer(0)
+            layer.SetMotion(layer.FIXED_IN_IMAGE)
         pictures = reduced(scene.draw(large.window)), scene.linear(scene.draw(small.window))
         mean = 255.0 * abs(pictures[0] - pictures[1]).mean()
         assert mean < BOUND, (name, mean)
-        frames = [scene.drawn_frame(s.actor.GetMapper(), s.renderer) for s in (small, large)]
-        assert abs(frames[0] - frames[1]).max() < 0.1, frames
 
 
 scene.run(globals())

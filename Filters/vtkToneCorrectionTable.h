@@ -7,10 +7,10 @@
  * The input is a pattern image with the point arrays Screen and Gradient, as vtkPatternImageSource
  * makes it. Drawing it filters it, softens its edges by a pixel and blends it with its half-size
  * copy while it is scaled; all of this changes how much is inked at a threshold. This filter draws
- * the pattern at 32 steps of scale, measures the ink and inverts the measurement (Breslav et al.
+ * the pattern at 48 steps of scale, measures the ink and inverts the measurement (Breslav et al.
  * 2007, section 3.3).
  *
- * The output is an image of 256 x 32 floats, Threshold: x is the tone, 0 to 1, y the step of scale,
+ * The output is an image of 256 x 48 floats, Threshold: x is the tone, 0 to 1, y the step of scale,
  * from 1 at the bottom to 2 at the top, more densely between LodStart and LodEnd. Between its
  * points it is to be interpolated linearly. tableColumn and tableRow in
  * Core/Kernels/PatternField.glsl give the place of a tone and a scale. Its field data repeats

@@ -26,14 +26,14 @@ struct ToneTableOptions
 };
 
 // Row-major, row = LOD step, column = tone: threshold[step * tones + tone]. Upload as a texture of
-// 256 x 32 texels, one float, linear filter, clamped to edge, and look up with tableColumn and
+// 256 x 48 texels, one float, linear filter, clamped to edge, and look up with tableColumn and
 // tableRow of Kernels/PatternField.glsl. Column i is tone i / 255; the scale of row k is
 // tableScale(k, lodStart, lodEnd), row 0 scale 1 and row 31 scale 2. Thresholds grow with the tone
 // and may lie outside [0, 1].
 struct ToneTable
 {
   int tones = 256;
-  int steps = 32;
+  int steps = 48; // as tableSteps of Kernels/PatternField.glsl
   std::vector<float> threshold;
   ToneTableOptions options;
 };

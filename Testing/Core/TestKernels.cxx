@@ -123,14 +123,14 @@ TEST(Kernels, TableRowAndScaleAreInverse)
 {
   for (const glm::vec2 lod : { glm::vec2(1.3f, 1.7f), glm::vec2(1.01f, 1.99f) })
   {
-    for (int row = 0; row < 32; ++row)
+    for (int row = 0; row < static_cast<int>(glsl::tableSteps); ++row)
     {
       const float scale = glsl::tableScale(static_cast<float>(row), lod.x, lod.y);
-      EXPECT_NEAR(glsl::tableRow(scale, lod.x, lod.y) * 32.0f - 0.5f, row, 1e-3f);
+      EXPECT_NEAR(glsl::tableRow(scale, lod.x, lod.y) * glsl::tableSteps - 0.5f, row, 1e-3f);
     }
   }
   EXPECT_FLOAT_EQ(glsl::tableScale(0.0f, 1.3f, 1.7f), 1.0f);
-  EXPECT_FLOAT_EQ(glsl::tableScale(31.0f, 1.3f, 1.7f), 2.0f);
+  EXPECT_FLOAT_EQ(glsl::tableScale(glsl::tableSteps - 1.0f, 1.3f, 1.7f), 2.0f);
 }
 
 TEST(Kernels, MixingInLinearLight)

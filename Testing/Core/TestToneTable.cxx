@@ -65,7 +65,7 @@ double worstError(const PatternTile& tile, double period, double first)
   const ToneTableOptions options = forPeriod(period);
   const ToneTable table = buildToneTable(mips, options);
   double worst = 0.0;
-  for (double row = first; row <= 31.0; row += 1.0)
+  for (double row = first; row <= glsl::tableSteps - 1.0; row += 1.0)
   {
     const double scale = scaleOfRow(row);
     const std::vector<DrawnField> fields = someFields(mips, options, scale);
@@ -154,7 +154,7 @@ TEST(ToneTable, GrowsWithTone)
   for (const PatternTile& tile : tiles())
   {
     const ToneTable table = buildToneTable(mipChain(tile), forPeriod(8.0));
-    ASSERT_EQ(table.threshold.size(), 256u * 32u);
+    ASSERT_EQ(table.threshold.size(), static_cast<std::size_t>(table.tones * table.steps));
     for (int step = 0; step < table.steps; ++step)
     {
       const auto row = table.threshold.begin() + step * table.tones;
@@ -172,7 +172,7 @@ TEST(ToneTable, OctavesMeet)
   const ToneTable table = buildToneTable(mips, forPeriod(8.0));
   for (int i = 0; i < 256; ++i)
   {
-    EXPECT_NEAR(table.threshold[i], table.threshold[31 * 256 + i], 0.01f);
+    EXPECT_NEAR(table.threshold[i], table.threshold[(table.steps - 1) * table.tones + i], 0.01f);
   }
   for (int i = 0; i < 500; ++i)
   {

@@ -17,8 +17,8 @@ table.Update()
 
 
 def thresholds():
-    assert table.GetOutput().GetDimensions() == (256, 32, 1)
-    return vtk_to_numpy(table.GetOutput().GetPointData().GetArray("Threshold")).reshape(32, 256)
+    assert table.GetOutput().GetDimensions() == (256, 48, 1)
+    return vtk_to_numpy(table.GetOutput().GetPointData().GetArray("Threshold")).reshape(48, 256)
 
 
 fine = thresholds().copy()

@@ -7,7 +7,7 @@
 //   s      wrapped LOD scale in [1, 2): wrapScale(similarity scale); 1 when fixed in the image
 //   tile   RG32F texture: red = screen, green = gradient (per texel of level 0, on every level),
 //          mip level k = k-th element of mipChain(), GL_REPEAT, linear filter in and between levels
-//   table  R32F texture, 256 tones wide, 32 rows high, linear, clamped to edge: the ToneTable
+//   table  R32F texture, 256 tones wide, 48 rows high, linear, clamped to edge: the ToneTable
 //   tpp1   texels of level 0 per drawn pixel at s = 1 (the table is built with the same number):
 //          tile width / (periods across the tile * pixels per period)
 //
@@ -26,7 +26,7 @@
 
 // Rows and columns of the table.
 const float tableTones = 256.0f;
-const float tableSteps = 32.0f;
+const float tableSteps = 48.0f;
 // Steps before the LOD transition, and from its end to scale 2, where little changes; the 24
 // others lie in the transition, with rows exactly where the response bends: at its start and end,
 // at a third, where slopes of a ruled hatch cancel, and at its middle.
@@ -35,6 +35,9 @@ const float tableStepsAfter = 3.0f;
 // Below this many pixels per period a screen cannot be resolved: ink = tone. Above one pixel more,
 // no change.
 const float flatPeriod = 2.0f;
+// Edges oblique to the pixels' sides cross a square pixel more steeply than one change per pixel; this
+// width fits the area coverage of all directions best.
+const float edgeSharpness = 0.9f;
 
 // Mip level, may be fractional, for a footprint in texels of level 0 per pixel: up to two texels
 // per pixel are skipped, since edges are smoothed analytically, and coarser levels would make thin
@@ -48,7 +51,7 @@ float tileLevel(float texelsPerPixel)
 vec2 patternField(vec2 first, vec2 second, float t, float texelsPerPixel)
 {
   float screen = mix(first.x, second.x, t);
-  float width = mix(first.y, 2.0f * second.y, t) * texelsPerPixel;
+  float width = mix(first.y, 2.0f * second.y, t) * edgeSharpness * texelsPerPixel;
   return vec2(screen, width);
 }
 

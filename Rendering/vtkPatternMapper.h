@@ -22,10 +22,11 @@
  *
  * Samples and their weights take at most 200 bytes each, 500 a patch by default.
  *
- * Errors, each reported once until something changes: an input that is missing, a tone array that
- * is missing or not numeric or has too few components, an empty tone range, more than three
- * different tones, a layer that cannot be drawn. What can be drawn still is; surface without data
- * is drawn in the lookup table's NaN colour (grey 0.75 without scalar colouring), without ink.
+ * Errors, each reported once until something changes: a tone array that is missing or not numeric
+ * or has too few components, an empty tone range, more than three different tones, a layer that
+ * cannot be drawn. What can be drawn still is; surface without data is drawn in the lookup table's
+ * NaN colour (grey 0.75 without scalar colouring), without ink. Without an input nothing is drawn,
+ * as with VTK's own mappers.
  */
 #ifndef vtkPatternMapper_h
 #define vtkPatternMapper_h

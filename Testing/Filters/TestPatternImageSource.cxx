@@ -90,10 +90,15 @@ bool uniform(vtkImageData* image)
     values[i] = screen->GetComponent(i, 0);
   }
   std::sort(values.begin(), values.end());
+  // Sorted values are the centres of equal steps; those that share a value share the centre.
   double worst = 0.0;
-  for (std::size_t i = 0; i < values.size(); ++i)
+  for (auto first = values.begin(); first != values.end();)
   {
-    worst = std::max(worst, std::abs(values[i] * static_cast<double>(count) - (i + 0.5)));
+    const auto last = std::upper_bound(first, values.end(), *first);
+    const double centre =
+      0.5 * static_cast<double>((first - values.begin()) + (last - values.begin()));
+    worst = std::max(worst, std::abs(*first * static_cast<double>(count) - centre));
+    first = last;
   }
   return require(count > 0 && worst < 0.5, "a uniform screen");
 }

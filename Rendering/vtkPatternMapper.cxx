@@ -375,7 +375,13 @@ void vtkPatternMapper::UpdateChannels()
 
 void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
-  if (!this->GetInputAlgorithm() || !this->DrawsPatterns(renderer, actor))
+  if (!this->GetInputAlgorithm())
+  {
+    this->Report("input: none is connected; expected polydata or a composite of polydata",
+      this->Internal->ReportedStyle);
+    return;
+  }
+  if (!this->DrawsPatterns(renderer, actor))
   {
     this->Superclass::Render(renderer, actor);
     return;

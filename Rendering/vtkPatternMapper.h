@@ -25,8 +25,8 @@
  * Errors, each reported once until something changes: a tone array that is missing or not numeric
  * or has too few components, an empty tone range, more than three different tones, a layer that
  * cannot be drawn. What can be drawn still is; surface without data is drawn in the lookup table's
- * NaN colour (grey 0.75 without scalar colouring), without ink. Without an input nothing is drawn,
- * as with VTK's own mappers.
+ * NaN colour (grey 0.75 without scalar colouring), without ink. Without an input there are no
+ * bounds, so that renderers skip the actor; drawn all the same, the mapper says so.
  */
 #ifndef vtkPatternMapper_h
 #define vtkPatternMapper_h

@@ -18,6 +18,27 @@
 #error "Hachure needs VTK's OpenGL loader: vtk_glad.h or vtk_glew.h"
 #endif
 
+// What draws the blocks of one vertex layout, see vtkPatternCompositeMapper.h.
+#if __has_include("vtkCompositePolyDataMapperDelegator.h")
+#include "vtkCompositePolyDataMapper.h"
+#include "vtkOpenGLBatchedPolyDataMapper.h"
+#include "vtkOpenGLCompositePolyDataMapperDelegator.h"
+using vtkPatternHelperBase = vtkOpenGLBatchedPolyDataMapper;
+using vtkPatternHelperData = vtkOpenGLBatchedPolyDataMapper::GLBatchElement;
+inline vtkPolyData* vtkPatternHelperPolyData(const vtkPatternHelperData* data)
+{
+  return data->Parent.PolyData;
+}
+#else
+#include "vtkCompositeMapperHelper2.h"
+using vtkPatternHelperBase = vtkCompositeMapperHelper2;
+using vtkPatternHelperData = vtkCompositeMapperHelperData;
+inline vtkPolyData* vtkPatternHelperPolyData(const vtkPatternHelperData* data)
+{
+  return data->Data;
+}
+#endif
+
 // Inline namespaces arrived with VTK 9.2; older versions know no macro for them.
 #ifndef VTK_ABI_NAMESPACE_BEGIN
 #define VTK_ABI_NAMESPACE_BEGIN

@@ -91,6 +91,19 @@ void vtkPatternCompositor::Update(vtkPatternStyle* style, const vtkPatternToneCh
   this->UpdateTables(window);
 }
 
+std::string vtkPatternCompositor::GetNote() const
+{
+  for (std::size_t i = 0; i < this->Layers.size(); ++i)
+  {
+    const std::string note = this->Layers[i].Painter->GetNote();
+    if (!note.empty())
+    {
+      return "layer " + std::to_string(i) + ": " + note;
+    }
+  }
+  return {};
+}
+
 void vtkPatternCompositor::UpdateText()
 {
   std::string declarations;

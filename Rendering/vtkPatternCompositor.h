@@ -33,6 +33,9 @@ public:
   void Update(vtkPatternStyle* style, const vtkPatternToneChannels& channels,
     vtkOpenGLRenderWindow* window, double pixelsPerLogical, std::string& error);
 
+  /// What the user should know about layers that are drawn all the same; empty where all is well.
+  std::string GetNote() const;
+
   /// Functions and uniforms; defines hachureCompose() and hachureLogicalPosition().
   const std::string& GetShaderText() const { return this->ShaderText; }
 

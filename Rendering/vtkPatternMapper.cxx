@@ -66,6 +66,7 @@ struct vtkPatternMapper::Internals
   std::string ChannelError;
   std::string ReportedStyle;
   std::string ReportedDevice;
+  std::string ReportedNote;
 };
 
 // All that one Render call hands from step to step.
@@ -251,6 +252,12 @@ const vtkPatternToneChannels& vtkPatternMapper::GetToneChannels() const
   return this->Internal->Channels;
 }
 
+#ifdef VTK_PATTERN_MAPPER_HAS_DELEGATOR
+vtkCompositePolyDataMapperDelegator* vtkPatternMapper::CreateADelegator()
+{
+  return vtkPatternMapperDelegator::New();
+}
+#else
 vtkPatternHelperBase* vtkPatternMapper::CreateHelper()
 {
   return vtkPatternMapperHelper::New();
@@ -264,6 +271,7 @@ void vtkPatternMapper::CopyMapperValuesToHelper(vtkPatternHelperBase* helper)
     helper->Modified(); // other tone arrays: other buffers and shaders
   }
 }
+#endif
 
 void vtkPatternMapper::Reanchor(vtkRenderer* renderer)
 {
@@ -404,6 +412,12 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   part.Compositor.Update(
     this->Style, this->Internal->Channels, window, viewport.PixelsPerLogical, error);
   this->Report(error, this->Internal->ReportedStyle);
+  const std::string note = part.Compositor.GetNote();
+  if (!note.empty() && note != this->Internal->ReportedNote)
+  {
+    vtkWarningMacro(<< note);
+  }
+  this->Internal->ReportedNote = note;
 
   const bool lowDetail = this->TrackedMapper != nullptr;
   vtkPatternMapper* steering = lowDetail ? this->TrackedMapper.Get() : this;

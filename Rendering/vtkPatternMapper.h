@@ -52,12 +52,11 @@ struct ViewProjection;
 class vtkCameraInterpolator;
 class vtkPatternStyle;
 
-// Named in full: VTK's Python wrappers do not see through type aliases.
-class HACHURERENDERING_EXPORT vtkPatternMapper : public vtkCompositePolyDataMapper2
+class HACHURERENDERING_EXPORT vtkPatternMapper : public VTK_PATTERN_MAPPER_SUPERCLASS
 {
 public:
   static vtkPatternMapper* New();
-  vtkTypeMacro(vtkPatternMapper, vtkCompositePolyDataMapper2);
+  vtkTypeMacro(vtkPatternMapper, VTK_PATTERN_MAPPER_SUPERCLASS);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -155,8 +154,12 @@ protected:
   vtkPatternMapper();
   ~vtkPatternMapper() override;
 
+#ifdef VTK_PATTERN_MAPPER_HAS_DELEGATOR
+  vtkCompositePolyDataMapperDelegator* CreateADelegator() override;
+#else
   vtkPatternHelperBase* CreateHelper() override;
   void CopyMapperValuesToHelper(vtkPatternHelperBase* helper) override;
+#endif
 
 private:
   vtkPatternMapper(const vtkPatternMapper&) = delete;

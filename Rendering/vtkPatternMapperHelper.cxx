@@ -36,6 +36,16 @@ bool IsArray(const vtkPatternToneChannel& channel, bool onCells)
 }
 } // namespace
 
+#ifdef VTK_PATTERN_MAPPER_HAS_DELEGATOR
+vtkStandardNewMacro(vtkPatternMapperDelegator);
+
+vtkPatternMapperDelegator::vtkPatternMapperDelegator()
+{
+  this->GLDelegate = vtkPatternMapperHelper::New();
+  this->Delegate.TakeReference(this->GLDelegate);
+}
+#endif
+
 vtkPatternMapper* vtkPatternMapperHelper::GetMapper()
 {
   return vtkPatternMapper::SafeDownCast(this->Parent);
@@ -172,7 +182,7 @@ void vtkPatternMapperHelper::AppendPointTones(vtkPolyData* poly)
 
 void vtkPatternMapperHelper::AppendCellTones(vtkPatternHelperData* data, int representation)
 {
-  vtkPolyData* poly = data->Data;
+  vtkPolyData* poly = vtkPatternHelperPolyData(data);
   vtkCellArray* primitives[4] = { poly->GetVerts(), poly->GetLines(), poly->GetPolys(),
     poly->GetStrips() };
   const auto& channels = this->GetMapper()->GetToneChannels().Get();
@@ -199,7 +209,7 @@ void vtkPatternMapperHelper::AppendOneBufferObject(vtkRenderer* renderer, vtkAct
   vtkPatternHelperData* data, vtkIdType& offset, std::vector<unsigned char>& colors,
   std::vector<float>& normals)
 {
-  vtkPolyData* poly = data->Data;
+  vtkPolyData* poly = vtkPatternHelperPolyData(data);
   const bool hasPoints = poly->GetPoints() && poly->GetNumberOfPoints() > 0;
   // Blocks that share points share VTK's vertices: their tones must be appended once, too.
   if (hasPoints && this->AppendedPoints.insert(poly->GetPoints()->GetData()).second)

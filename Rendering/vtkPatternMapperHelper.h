@@ -10,7 +10,6 @@
 #include "vtkHachureCompatibility.h"
 
 #include "vtkColor.h"
-#include "vtkCompositeMapperHelper2.h"
 #include "vtkPatternCompositeMapper.h"
 #include "vtkPatternToneChannels.h"
 #include "vtkSmartPointer.h"
@@ -59,6 +58,20 @@ private:
   std::array<CellTone, vtkPatternToneChannels::Maximum> CellTones;
   std::set<vtkDataArray*> AppendedPoints;
 };
+
+#ifdef VTK_PATTERN_MAPPER_HAS_DELEGATOR
+/// Hands blocks that share a vertex layout from the mapper to a helper.
+class vtkPatternMapperDelegator : public vtkOpenGLCompositePolyDataMapperDelegator
+{
+public:
+  static vtkPatternMapperDelegator* New();
+  vtkTypeMacro(vtkPatternMapperDelegator, vtkOpenGLCompositePolyDataMapperDelegator);
+
+protected:
+  vtkPatternMapperDelegator();
+  ~vtkPatternMapperDelegator() override = default;
+};
+#endif
 
 #endif
 // VTK-HeaderTest-Exclude: vtkPatternMapperHelper.h

@@ -38,6 +38,9 @@ public:
   /// layer cannot be drawn.
   virtual bool Update(vtkOpenGLRenderWindow* window, const Scene& scene, std::string& error) = 0;
 
+  /// What the user should know about a layer that is drawn all the same; empty where all is well.
+  virtual std::string GetNote() const { return {}; }
+
   /// Declarations with '@' for the layer's number; they define
   /// float hachureCoverage@(vec2 position, float tone).
   virtual const char* GetDeclarations() const = 0;

@@ -107,6 +107,19 @@ const char* vtkImagePatternLayerPainter::GetDeclarations() const
   return ImagePatternLayer;
 }
 
+std::string vtkImagePatternLayerPainter::GetNote() const
+{
+  // Fewer grey values than this are seen as steps in what should be a smooth tone.
+  constexpr int enoughLevels = 16;
+  const int levels = this->Tile ? this->Tile->front().levels : enoughLevels;
+  const bool few = this->Layer && this->Layer->GetPattern() == vtkImagePatternLayer::IMAGE &&
+    levels < enoughLevels;
+  return few ? "the pattern image has only " + std::to_string(levels) +
+      " grey levels; tones between them print as flat grey. Expected at least " +
+      std::to_string(enoughLevels)
+             : std::string();
+}
+
 bool vtkImagePatternLayerPainter::Update(
   vtkOpenGLRenderWindow* window, const Scene& scene, std::string& error)
 {

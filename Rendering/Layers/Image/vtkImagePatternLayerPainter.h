@@ -22,6 +22,7 @@ public:
   explicit vtkImagePatternLayerPainter(vtkImagePatternLayer* layer);
 
   bool Update(vtkOpenGLRenderWindow* window, const Scene& scene, std::string& error) override;
+  std::string GetNote() const override;
   const char* GetDeclarations() const override;
   const std::vector<float>& GetTableRows() const override { return this->Table.threshold; }
   unsigned long GetTableVersion() const override { return this->TableVersion; }

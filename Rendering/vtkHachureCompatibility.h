@@ -30,6 +30,8 @@ inline vtkPolyData* vtkPatternHelperPolyData(const vtkPatternHelperData* data)
   return data->Parent.PolyData;
 }
 #else
+#include "vtkColor.h" // which the next header needs and does not include
+
 #include "vtkCompositeMapperHelper2.h"
 using vtkPatternHelperBase = vtkCompositeMapperHelper2;
 using vtkPatternHelperData = vtkCompositeMapperHelperData;

@@ -135,12 +135,7 @@ public:
 
 #ifndef __VTK_WRAP__
   /// What the helpers of this mapper draw now; internal.
-  enum class DrawStage
-  {
-    Stock,
-    Surfaces,
-    Remainder
-  };
+  enum class DrawStage{ Stock, Surfaces, Remainder };
   DrawStage GetDrawStage() const
   {
     return this->Stage;

@@ -9,7 +9,6 @@
 
 #include "vtkHachureCompatibility.h"
 
-#include "vtkColor.h"
 #include "vtkPatternCompositeMapper.h"
 #include "vtkPatternToneChannels.h"
 #include "vtkSmartPointer.h"

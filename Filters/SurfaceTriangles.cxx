@@ -260,7 +260,8 @@ private:
       polygon->GetPoints()->SetPoint(i, &point(corners[i]).x);
       polygon->GetPointIds()->SetId(i, i);
     }
-    if (!polygon->Triangulate(ears) || ears->GetNumberOfIds() == 0)
+    // Ids and points, although points are not needed: every VTK has this form.
+    if (!polygon->Triangulate(0, ears, earPoints) || ears->GetNumberOfIds() == 0)
     {
       return false;
     }
@@ -282,6 +283,7 @@ private:
   std::int32_t patch = 0;
   vtkNew<vtkPolygon> polygon;
   vtkNew<vtkIdList> ears;
+  vtkNew<vtkPoints> earPoints;
 };
 
 void addBlocks(vtkCompositeDataSet* input, TriangleExtractor& extractor)

@@ -51,6 +51,7 @@ struct ViewProjection;
 
 class vtkCameraInterpolator;
 class vtkPatternStyle;
+class vtkShaderProgram;
 
 class HACHURERENDERING_EXPORT vtkPatternMapper : public VTK_PATTERN_MAPPER_SUPERCLASS
 {

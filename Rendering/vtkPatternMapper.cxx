@@ -5,28 +5,23 @@
 #include "vtkHachureCompatibility.h"
 
 #include "AnchoredPatterns.h"
-#include "PatternOutline.h"
-#include "PatternScreenFS.h"
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCameraInterpolator.h"
 #include "vtkColorTransferFunction.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPatternBlocks.h"
 #include "vtkPatternCompositor.h"
 #include "vtkPatternMapperHelper.h"
+#include "vtkPatternScreenPass.h"
 #include "vtkPatternShaderInjector.h"
-#include "vtkPatternShaderText.h"
 #include "vtkPatternStyle.h"
 #include "vtkPatternToneChannels.h"
 #include "vtkPatternViewContext.h"
@@ -51,8 +46,7 @@ struct vtkPatternMapper::WindowPart
 {
   vtkPatternCompositor Compositor;
   std::shared_ptr<vtkPatternWindowResources> Resources;
-  std::unique_ptr<vtkOpenGLQuadHelper> ScreenPass;
-  std::string ScreenText;
+  vtkPatternScreenPass ScreenPass;
 };
 
 struct vtkPatternMapper::Internals
@@ -116,67 +110,6 @@ private:
   vtkPatternShaderInjector* Injector;
 };
 
-// Pixels (x, y, width, height) that the box can cover, and a margin around them; all of the
-// viewport where the box reaches behind the camera.
-std::array<int, 4> ScreenRectangle(const double bounds[6], const glm::dmat4& modelToClip,
-  const std::array<int, 4>& viewport, int margin)
-{
-  glm::dvec2 lower(1.0);
-  glm::dvec2 upper(-1.0);
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const glm::dvec4 clip = modelToClip *
-      glm::dvec4(
-        bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)], bounds[4 + ((corner >> 2) & 1)], 1.0);
-    if (clip.w <= 0.0)
-    {
-      return viewport;
-    }
-    const glm::dvec2 position(clip.x / clip.w, clip.y / clip.w);
-    lower = glm::min(lower, position);
-    upper = glm::max(upper, position);
-  }
-  lower = glm::clamp(lower, -1.0, 1.0);
-  upper = glm::clamp(upper, -1.0, 1.0);
-  if (lower.x >= upper.x || lower.y >= upper.y)
-  {
-    return { viewport[0], viewport[1], 0, 0 };
-  }
-  std::array<int, 4> rectangle;
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const int size = viewport[2 + axis];
-    const int begin =
-      std::max(0, static_cast<int>(std::floor((lower[axis] * 0.5 + 0.5) * size)) - margin);
-    const int end =
-      std::min(size, static_cast<int>(std::ceil((upper[axis] * 0.5 + 0.5) * size)) + margin);
-    rectangle[axis] = viewport[axis] + begin;
-    rectangle[2 + axis] = end - begin;
-  }
-  return rectangle;
-}
-
-std::vector<vtkPolyData*> Leaves(vtkDataObject* input)
-{
-  std::vector<vtkPolyData*> leaves;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    vtkSmartPointer<vtkCompositeDataIterator> iterator;
-    iterator.TakeReference(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      if (auto* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
-      {
-        leaves.push_back(leaf);
-      }
-    }
-  }
-  else if (auto* leaf = vtkPolyData::SafeDownCast(input))
-  {
-    leaves.push_back(leaf);
-  }
-  return leaves;
-}
 } // namespace
 
 vtkPatternMapper::vtkPatternMapper()
@@ -439,8 +372,7 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 
 void vtkPatternMapper::RenderForward(Drawing& drawing)
 {
-  double nanColor[3];
-  this->GetNanColor(nanColor);
+  const std::array<double, 3> nanColor = this->GetNanColor();
   vtkPatternShaderInjector* injector = this->Internal->ForwardInjector;
   injector->Configure(vtkPatternShaderInjector::FORWARD, this->Internal->Channels,
     this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
@@ -448,7 +380,7 @@ void vtkPatternMapper::RenderForward(Drawing& drawing)
   injector->UniformSetter = [&](vtkShaderProgram* program)
   {
     drawing.Part.Compositor.SetUniforms(
-      program, this->Style, drawing.Viewport, nanColor, drawing.Track->Frames[0]);
+      program, this->Style, drawing.Viewport, nanColor.data(), drawing.Track->Frames[0]);
   };
   drawing.Part.Compositor.Activate();
   {
@@ -477,13 +409,22 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
   if (vtkBoundingBox::IsValid(bounds))
   {
     // Outlines look as far around a pixel as they are wide.
-    const int margin = 2 + static_cast<int>(std::ceil(1.5 * this->OutlinePixels(drawing)));
-    drawing.Rectangle = ScreenRectangle(bounds, modelToClip, drawing.Viewport.Drawn, margin);
+    const double outline = vtkPatternScreenPass::OutlineWidth(this->Style, drawing.Viewport);
+    const int margin = 2 + static_cast<int>(std::ceil(1.5 * outline));
+    drawing.Rectangle =
+      vtkPattern::CoveredRectangle(bounds, modelToClip, drawing.Viewport.Drawn, margin);
   }
   if (drawing.Rectangle[2] > 0 && drawing.Rectangle[3] > 0)
   {
     this->DrawAttributes(drawing);
-    this->DrawScreen(drawing);
+    const vtkPatternScreenPass::Scene scene = { drawing.Renderer, drawing.Actor, drawing.Window,
+      this->Style, drawing.Viewport, drawing.Rectangle, drawing.Track->Frames[0],
+      this->GetNanColor() };
+    if (!drawing.Part.ScreenPass.Draw(scene, resources, drawing.Part.Compositor))
+    {
+      this->Report(
+        "the shader of the style does not compile on this OpenGL", this->Internal->ReportedDevice);
+    }
     if (drawing.Measures)
     {
       drawing.Track->Visibility.MeasureOwn(drawing.Window, drawing.Track->Samples, modelToClip,
@@ -530,137 +471,6 @@ void vtkPatternMapper::DrawAttributes(Drawing& drawing)
   state->PopFramebufferBindings();
 }
 
-std::string vtkPatternMapper::ScreenText(WindowPart& part, bool outline)
-{
-  std::string text = PatternScreenFS;
-  vtkShaderProgram::Substitute(text, "//Hachure::Compose::Dec", part.Compositor.GetShaderText());
-  if (outline)
-  {
-    vtkShaderProgram::Substitute(
-      text, "//Hachure::Outline::Dec", vtkPattern::ShaderSection(PatternOutline, "Functions"));
-    vtkShaderProgram::Substitute(
-      text, "//Hachure::Outline::Impl", vtkPattern::ShaderSection(PatternOutline, "Call"));
-    vtkShaderProgram::Substitute(text, "//Hachure::Crease::Impl",
-      this->Style->GetOutlineCreases() ? vtkPattern::ShaderSection(PatternOutline, "Crease")
-                                       : std::string());
-  }
-  return text;
-}
-
-void vtkPatternMapper::DrawScreen(Drawing& drawing)
-{
-  WindowPart& part = drawing.Part;
-  const bool outline = this->OutlinePixels(drawing) > 0.0;
-  const std::string text = this->ScreenText(part, outline);
-  if (!part.ScreenPass || part.ScreenText != text)
-  {
-    if (part.ScreenPass)
-    {
-      part.ScreenPass->ReleaseGraphicsResources(drawing.Window);
-    }
-    part.ScreenPass =
-      std::make_unique<vtkOpenGLQuadHelper>(drawing.Window, nullptr, text.c_str(), "");
-    part.ScreenText = text;
-  }
-  vtkShaderProgram* program = part.ScreenPass->Program;
-  if (!program || !program->GetCompiled())
-  {
-    this->Report(
-      "the shader of the style does not compile on this OpenGL", this->Internal->ReportedDevice);
-    return;
-  }
-  drawing.Window->GetShaderCache()->ReadyShaderProgram(program);
-
-  vtkPatternWindowResources& resources = *part.Resources;
-  resources.SurfaceColor->Activate();
-  resources.SurfaceTone->Activate();
-  resources.SurfaceNormal->Activate();
-  resources.SurfaceDepth->Activate();
-  part.Compositor.Activate();
-  program->SetUniformi("hachureSurfaceColor", resources.SurfaceColor->GetTextureUnit());
-  program->SetUniformi("hachureSurfaceTone", resources.SurfaceTone->GetTextureUnit());
-  program->SetUniformi("hachureSurfaceNormal", resources.SurfaceNormal->GetTextureUnit());
-  program->SetUniformi("hachureSurfaceDepth", resources.SurfaceDepth->GetTextureUnit());
-  double nanColor[3];
-  this->GetNanColor(nanColor);
-  part.Compositor.SetUniforms(
-    program, this->Style, drawing.Viewport, nanColor, drawing.Track->Frames[0]);
-  if (outline)
-  {
-    this->SetOutline(drawing, program);
-  }
-
-  vtkOpenGLState* state = drawing.Window->GetState();
-  {
-    vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-    vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
-    vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
-    vtkOpenGLState::ScopedglScissor scissor(state);
-    state->vtkglDisable(GL_BLEND);
-    state->vtkglDisable(GL_CULL_FACE);
-    state->vtkglEnable(GL_SCISSOR_TEST);
-    state->vtkglScissor(
-      drawing.Rectangle[0], drawing.Rectangle[1], drawing.Rectangle[2], drawing.Rectangle[3]);
-    part.ScreenPass->Render();
-  }
-  part.Compositor.Deactivate();
-  resources.SurfaceDepth->Deactivate();
-  resources.SurfaceNormal->Deactivate();
-  resources.SurfaceTone->Deactivate();
-  resources.SurfaceColor->Deactivate();
-}
-
-double vtkPatternMapper::OutlinePixels(const Drawing& drawing)
-{
-  return this->Style->GetOutline() ? this->Style->GetLengthInPixels(this->Style->GetOutlineWidth(),
-                                       this->Style->GetOutlineWidthUnit()) *
-      drawing.Viewport.PixelsPerLogical
-                                   : 0.0;
-}
-
-void vtkPatternMapper::SetOutline(Drawing& drawing, vtkShaderProgram* program)
-{
-  vtkPatternStyle* style = this->Style;
-  const double* color = style->GetOutlineColor();
-  const float ink[4] = { static_cast<float>(color[0]), static_cast<float>(color[1]),
-    static_cast<float>(color[2]), 1.0f };
-  program->SetUniform4f("hachureOutlineInk", ink);
-
-  const double width = this->OutlinePixels(drawing);
-  constexpr double radiansPerDegree = 3.14159265358979323846 / 180.0;
-  // Steps in depth below this part of the object's size are relief, not contours.
-  constexpr double slack = 0.004;
-  const float shape[4] = { static_cast<float>(width),
-    static_cast<float>(std::cos(style->GetOutlineCreaseAngle() * radiansPerDegree)),
-    static_cast<float>(slack * drawing.Actor->GetLength()), 0.0f };
-  program->SetUniform4f("hachureOutlineShape", shape);
-  const float kinds[3] = { style->GetOutlineSilhouette() ? 1.0f : 0.0f,
-    style->GetOutlineCreases() ? 1.0f : 0.0f, style->GetOutlineBorders() ? 1.0f : 0.0f };
-  program->SetUniform3f("hachureOutlineKinds", kinds);
-
-  const glm::dmat4 projection = vtkPattern::DrawnProjection(drawing.Renderer);
-  const float depthToView[4] = { static_cast<float>(projection[3][2]),
-    static_cast<float>(projection[3][3]), static_cast<float>(projection[2][3]),
-    static_cast<float>(projection[2][2]) };
-  program->SetUniform4f("hachureDepthToView", depthToView);
-  const bool perspective = projection[2][3] != 0.0;
-  float fragmentToView[4];
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const double shift = perspective ? projection[2][axis] : -projection[3][axis];
-    const double size = drawing.Viewport.Drawn[2 + axis];
-    const double origin = drawing.Viewport.Drawn[axis];
-    fragmentToView[axis] = static_cast<float>(2.0 / (size * projection[axis][axis]));
-    fragmentToView[2 + axis] =
-      static_cast<float>((-2.0 * origin / size - 1.0 + shift) / projection[axis][axis]);
-  }
-  program->SetUniform4f("hachureFragmentToView", fragmentToView);
-  const std::array<int, 4>& area = drawing.Viewport.Drawn;
-  const float viewport[4] = { static_cast<float>(area[0]), static_cast<float>(area[1]),
-    static_cast<float>(area[0] + area[2] - 1), static_cast<float>(area[1] + area[3] - 1) };
-  program->SetUniform4f("hachureViewport", viewport);
-}
-
 bool vtkPatternMapper::HasRemainder(vtkActor* actor)
 {
   if (actor->GetProperty()->GetVertexVisibility() ||
@@ -668,29 +478,27 @@ bool vtkPatternMapper::HasRemainder(vtkActor* actor)
   {
     return true;
   }
-  const std::vector<vtkPolyData*> leaves = Leaves(this->GetInputDataObject(0, 0));
-  return std::any_of(leaves.begin(), leaves.end(),
-    [](vtkPolyData* leaf) { return leaf->GetNumberOfVerts() > 0 || leaf->GetNumberOfLines() > 0; });
+  const auto blocks = vtkPattern::Blocks(this->GetInputDataObject(0, 0));
+  return std::any_of(blocks.begin(), blocks.end(),
+    [](const vtkPattern::Block& block)
+    { return block.Data->GetNumberOfVerts() > 0 || block.Data->GetNumberOfLines() > 0; });
 }
 
-void vtkPatternMapper::GetNanColor(double color[3])
+std::array<double, 3> vtkPatternMapper::GetNanColor()
 {
   constexpr double grey = 0.75;
-  std::fill(color, color + 3, grey);
-  if (!this->ScalarVisibility)
-  {
-    return;
-  }
   double rgba[4] = { grey, grey, grey, 1.0 };
-  if (auto* table = vtkLookupTable::SafeDownCast(this->LookupTable))
+  auto* table = vtkLookupTable::SafeDownCast(this->LookupTable);
+  auto* function = vtkColorTransferFunction::SafeDownCast(this->LookupTable);
+  if (this->ScalarVisibility && table)
   {
     table->GetNanColor(rgba);
   }
-  else if (auto* function = vtkColorTransferFunction::SafeDownCast(this->LookupTable))
+  else if (this->ScalarVisibility && function)
   {
     function->GetNanColor(rgba);
   }
-  std::copy(rgba, rgba + 3, color);
+  return { rgba[0], rgba[1], rgba[2] };
 }
 
 void vtkPatternMapper::ReleaseGraphicsResources(vtkWindow* window)
@@ -700,10 +508,7 @@ void vtkPatternMapper::ReleaseGraphicsResources(vtkWindow* window)
   {
     WindowPart& part = found->second;
     part.Compositor.ReleaseGraphicsResources(window);
-    if (part.ScreenPass)
-    {
-      part.ScreenPass->ReleaseGraphicsResources(window);
-    }
+    part.ScreenPass.ReleaseGraphicsResources(window);
     if (part.Resources)
     {
       part.Resources->ReleaseGraphicsResources(window);

@@ -37,6 +37,7 @@
 #include "vtkWeakPointer.h"
 
 #ifndef __VTK_WRAP__
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -170,12 +171,8 @@ private:
   void RenderOpaque(Drawing& drawing);
   void RenderForward(Drawing& drawing);
   void DrawAttributes(Drawing& drawing);
-  void DrawScreen(Drawing& drawing);
-  std::string ScreenText(WindowPart& part, bool outline);
-  double OutlinePixels(const Drawing& drawing);
-  void SetOutline(Drawing& drawing, vtkShaderProgram* program);
   bool HasRemainder(vtkActor* actor);
-  void GetNanColor(double color[3]);
+  std::array<double, 3> GetNanColor();
 
   vtkSmartPointer<vtkPatternStyle> Style;
   vtkWeakPointer<vtkPatternMapper> TrackedMapper;

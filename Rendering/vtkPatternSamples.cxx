@@ -3,15 +3,13 @@
 #include "vtkPatternSamples.h"
 
 #include "vtkCellArray.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkPatternBlocks.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkStratifiedSurfaceSampler.h"
 
 #include <glm/geometric.hpp>
@@ -50,30 +48,17 @@ glm::dvec3 Point(vtkPolyData* data, long long id)
 std::vector<vtkPatternSamples::Block> vtkPatternSamples::Collect(
   vtkDataObject* input, const std::vector<Block>& previous)
 {
-  std::vector<vtkPolyData*> leaves;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    vtkSmartPointer<vtkCompositeDataIterator> iterator;
-    iterator.TakeReference(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      leaves.push_back(vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()));
-    }
-  }
-  else
-  {
-    leaves.push_back(vtkPolyData::SafeDownCast(input));
-  }
-
   std::vector<Block> blocks;
-  for (vtkPolyData* leaf : leaves)
+  for (const vtkPattern::Block& found : vtkPattern::Blocks(input))
   {
-    if (!leaf || !leaf->GetPoints())
+    vtkPolyData* leaf = found.Data;
+    if (!leaf->GetPoints())
     {
       continue;
     }
     Block block;
     block.Data = leaf;
+    block.FlatIndex = found.FlatIndex;
     block.PointCount = static_cast<std::uint64_t>(leaf->GetNumberOfPoints());
     block.PointTime =
       std::max(leaf->GetPoints()->GetMTime(), leaf->GetPoints()->GetData()->GetMTime());
@@ -148,31 +133,12 @@ void vtkPatternSamples::Sample(vtkDataObject* input, const Options& options)
     return;
   }
 
-  // Flat composite index of each sample's block, in the order of Collect().
-  std::vector<unsigned int> flat;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    vtkSmartPointer<vtkCompositeDataIterator> iterator;
-    iterator.TakeReference(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      auto* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject());
-      if (leaf && leaf->GetPoints())
-      {
-        flat.push_back(iterator->GetCurrentFlatIndex());
-      }
-    }
-  }
-  else
-  {
-    flat.push_back(0);
-  }
-
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const auto block = static_cast<unsigned int>(blockIds->GetComponent(i, 0));
-    const auto found = std::find(flat.begin(), flat.end(), block);
-    this->SampleBlock.push_back(static_cast<std::uint32_t>(found - flat.begin()));
+    const auto flatIndex = static_cast<unsigned int>(blockIds->GetComponent(i, 0));
+    const auto found = std::find_if(this->Blocks.begin(), this->Blocks.end(),
+      [flatIndex](const Block& block) { return block.FlatIndex == flatIndex; });
+    this->SampleBlock.push_back(static_cast<std::uint32_t>(found - this->Blocks.begin()));
     this->SampleCorners.push_back({ static_cast<long long>(corners->GetComponent(i, 0)),
       static_cast<long long>(corners->GetComponent(i, 1)),
       static_cast<long long>(corners->GetComponent(i, 2)) });

@@ -49,6 +49,7 @@ private:
   struct Block
   {
     vtkPolyData* Data = nullptr;
+    unsigned int FlatIndex = 0;
     std::uint64_t CellTime = 0;
     std::uint64_t PointTime = 0;
     std::uint64_t PointCount = 0;

@@ -3,15 +3,13 @@
 #include "vtkPatternToneChannels.h"
 
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkPatternBlocks.h"
 #include "vtkPatternLayer.h"
 #include "vtkPatternStyle.h"
 #include "vtkPatternTone.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,28 +31,6 @@ vtkPatternToneChannel Describe(vtkPatternTone* tone)
   return channel;
 }
 
-std::vector<vtkPolyData*> Leaves(vtkDataObject* input)
-{
-  std::vector<vtkPolyData*> leaves;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    vtkSmartPointer<vtkCompositeDataIterator> iterator;
-    iterator.TakeReference(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      if (auto* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
-      {
-        leaves.push_back(leaf);
-      }
-    }
-  }
-  else if (auto* leaf = vtkPolyData::SafeDownCast(input))
-  {
-    leaves.push_back(leaf);
-  }
-  return leaves;
-}
-
 vtkAbstractArray* FindArray(vtkPolyData* block, const std::string& name, bool onCells)
 {
   vtkDataSetAttributes* data = onCells ? static_cast<vtkDataSetAttributes*>(block->GetCellData())
@@ -62,10 +38,12 @@ vtkAbstractArray* FindArray(vtkPolyData* block, const std::string& name, bool on
   return data->GetAbstractArray(name.c_str());
 }
 
-bool FoundAnywhere(const std::vector<vtkPolyData*>& leaves, const std::string& name, bool onCells)
+bool FoundAnywhere(
+  const std::vector<vtkPattern::Block>& blocks, const std::string& name, bool onCells)
 {
-  return std::any_of(leaves.begin(), leaves.end(),
-    [&](vtkPolyData* leaf) { return FindArray(leaf, name, onCells) != nullptr; });
+  return std::any_of(blocks.begin(), blocks.end(),
+    [&](const vtkPattern::Block& block)
+    { return FindArray(block.Data, name, onCells) != nullptr; });
 }
 
 // What is wrong with a block's array, empty where nothing is.
@@ -86,7 +64,7 @@ std::string Complaint(const vtkPatternToneChannel& channel, vtkAbstractArray* fo
   return text.str();
 }
 
-std::string Resolve(vtkPatternToneChannel& channel, const std::vector<vtkPolyData*>& leaves)
+std::string Resolve(vtkPatternToneChannel& channel, const std::vector<vtkPattern::Block>& blocks)
 {
   std::ostringstream text;
   if (!(std::isfinite(channel.Range[0]) && std::isfinite(channel.Range[1])) ||
@@ -97,19 +75,19 @@ std::string Resolve(vtkPatternToneChannel& channel, const std::vector<vtkPolyDat
     return text.str();
   }
   const bool points =
-    channel.Association != vtkPatternTone::CELLS && FoundAnywhere(leaves, channel.ArrayName, false);
+    channel.Association != vtkPatternTone::CELLS && FoundAnywhere(blocks, channel.ArrayName, false);
   channel.OnCells = !points && channel.Association != vtkPatternTone::POINTS &&
-    FoundAnywhere(leaves, channel.ArrayName, true);
+    FoundAnywhere(blocks, channel.ArrayName, true);
   if (!points && !channel.OnCells)
   {
     static const char* const places[] = { "point or cell", "point", "cell" };
     text << "no " << places[channel.Association] << " array '" << channel.ArrayName
          << "' to take the tone from; the surface is drawn as one without data";
-    return leaves.empty() ? std::string() : text.str();
+    return blocks.empty() ? std::string() : text.str();
   }
-  for (vtkPolyData* leaf : leaves)
+  for (const vtkPattern::Block& block : blocks)
   {
-    vtkAbstractArray* array = FindArray(leaf, channel.ArrayName, channel.OnCells);
+    vtkAbstractArray* array = FindArray(block.Data, channel.ArrayName, channel.OnCells);
     std::string complaint = array ? Complaint(channel, array) : std::string();
     if (!complaint.empty())
     {
@@ -131,7 +109,7 @@ void vtkPatternToneChannels::Collect(
   vtkPatternStyle* style, vtkDataObject* input, std::string& error)
 {
   this->Channels.clear();
-  const std::vector<vtkPolyData*> leaves = Leaves(input);
+  const std::vector<vtkPattern::Block> blocks = vtkPattern::Blocks(input);
   for (int i = 0; i < style->GetNumberOfLayers(); ++i)
   {
     vtkPatternLayer* layer = style->GetLayer(i);
@@ -149,11 +127,11 @@ void vtkPatternToneChannels::Collect(
     }
     if (channel.Source == vtkPatternTone::ARRAY && error.empty())
     {
-      error = Resolve(channel, leaves);
+      error = Resolve(channel, blocks);
     }
     else if (channel.Source == vtkPatternTone::ARRAY)
     {
-      Resolve(channel, leaves);
+      Resolve(channel, blocks);
     }
     this->Channels.push_back(channel);
   }

@@ -116,4 +116,42 @@ glm::dmat4 ModelView(vtkRenderer* renderer, vtkProp3D* prop)
   vtkMatrix4x4* model = prop ? prop->GetMatrix() : nullptr;
   return model ? view * ToGlm(model) : view;
 }
+
+std::array<int, 4> CoveredRectangle(const double bounds[6], const glm::dmat4& modelToClip,
+  const std::array<int, 4>& viewport, int margin)
+{
+  glm::dvec2 lower(1.0);
+  glm::dvec2 upper(-1.0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec4 clip = modelToClip *
+      glm::dvec4(
+        bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)], bounds[4 + ((corner >> 2) & 1)], 1.0);
+    if (clip.w <= 0.0)
+    {
+      return viewport;
+    }
+    const glm::dvec2 position(clip.x / clip.w, clip.y / clip.w);
+    lower = glm::min(lower, position);
+    upper = glm::max(upper, position);
+  }
+  lower = glm::clamp(lower, -1.0, 1.0);
+  upper = glm::clamp(upper, -1.0, 1.0);
+  if (lower.x >= upper.x || lower.y >= upper.y)
+  {
+    return { viewport[0], viewport[1], 0, 0 };
+  }
+  std::array<int, 4> rectangle;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const int size = viewport[2 + axis];
+    const int begin =
+      std::max(0, static_cast<int>(std::floor((lower[axis] * 0.5 + 0.5) * size)) - margin);
+    const int end =
+      std::min(size, static_cast<int>(std::ceil((upper[axis] * 0.5 + 0.5) * size)) + margin);
+    rectangle[axis] = viewport[axis] + begin;
+    rectangle[2 + axis] = end - begin;
+  }
+  return rectangle;
+}
 } // namespace vtkPattern

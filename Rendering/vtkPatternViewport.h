@@ -53,6 +53,10 @@ namespace vtkPattern
 glm::dmat4 ToGlm(vtkMatrix4x4* matrix);
 /// The camera's projection as drawn, depth in [-1, 1].
 glm::dmat4 DrawnProjection(vtkRenderer* renderer);
+/// Pixels (x, y, width, height) of a viewport that a box can cover, and a margin around them; all
+/// of the viewport where the box reaches behind the camera.
+std::array<int, 4> CoveredRectangle(const double bounds[6], const glm::dmat4& modelToClip,
+  const std::array<int, 4>& viewport, int margin);
 /// Model to view coordinates.
 glm::dmat4 ModelView(vtkRenderer* renderer, vtkProp3D* prop);
 } // namespace vtkPattern

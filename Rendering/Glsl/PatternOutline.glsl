@@ -6,7 +6,7 @@
 
 //Section Functions
 uniform vec4 hachureOutlineInk;     // rgb display-referred, a: opacity
-uniform vec4 hachureOutlineShape;   // width in framebuffer pixels, cos of the crease angle, depth slack in view units, 0
+uniform vec3 hachureOutlineShape;   // width in framebuffer pixels, cos of the crease angle, depth slack in view units
 uniform vec3 hachureOutlineKinds;   // 1 where silhouettes, creases, borders are drawn
 uniform vec4 hachureDepthToView;    // view z = (x - ndc * y) / (ndc * z - w), ndc = 2 depth - 1
 uniform vec4 hachureFragmentToView; // view xy (perspective: at unit depth): fragment * xy + zw

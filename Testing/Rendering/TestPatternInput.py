@@ -188,10 +188,13 @@ def test_viewport_without_size():
 
 
 def test_without_input():
-    """Nothing to draw is no error, as in VTK: its renderer skips what has no bounds."""
+    """VTK's renderer skips what has no bounds; whoever draws the mapper all the same is told once."""
     stage = Stage()
     assert stage.draw()[0] == 0.0
-    stage.mapper.Render(stage.renderer, stage.actor)
+    scene.expect_messages()
+    for _ in range(2):
+        stage.mapper.Render(stage.renderer, stage.actor)
+    scene.expect_messages("input: none is connected; expected polydata or a composite of polydata")
     stage.mapper.SetInputDataObject(mesh(SQUARE, TRIANGLES))
     check(stage, 1.0)
 

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPatternScreenPass.h"
+
+#include "vtkHachureCompatibility.h"
+
+#include "PatternOutline.h"
+#include "PatternScreenFS.h"
+#include "vtkActor.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkPatternCompositor.h"
+#include "vtkPatternShaderText.h"
+#include "vtkPatternStyle.h"
+#include "vtkPatternViewport.h"
+#include "vtkPatternWindowResources.h"
+#include "vtkShaderProgram.h"
+
+#include <cmath>
+
+vtkPatternScreenPass::vtkPatternScreenPass() = default;
+vtkPatternScreenPass::~vtkPatternScreenPass() = default;
+
+double vtkPatternScreenPass::OutlineWidth(
+  vtkPatternStyle* style, const vtkPatternViewport& viewport)
+{
+  if (!style->GetOutline())
+  {
+    return 0.0;
+  }
+  return viewport.PixelsPerLogical *
+    style->GetLengthInPixels(style->GetOutlineWidth(), style->GetOutlineWidthUnit());
+}
+
+std::string vtkPatternScreenPass::Text(
+  vtkPatternStyle* style, vtkPatternCompositor& compositor, bool outline)
+{
+  std::string text = PatternScreenFS;
+  vtkShaderProgram::Substitute(text, "//Hachure::Compose::Dec", compositor.GetShaderText());
+  if (outline)
+  {
+    vtkShaderProgram::Substitute(
+      text, "//Hachure::Outline::Dec", vtkPattern::ShaderSection(PatternOutline, "Functions"));
+    vtkShaderProgram::Substitute(
+      text, "//Hachure::Outline::Impl", vtkPattern::ShaderSection(PatternOutline, "Call"));
+    vtkShaderProgram::Substitute(text, "//Hachure::Crease::Impl",
+      style->GetOutlineCreases() ? vtkPattern::ShaderSection(PatternOutline, "Crease")
+                                 : std::string());
+  }
+  return text;
+}
+
+vtkShaderProgram* vtkPatternScreenPass::Prepare(
+  const Scene& scene, vtkPatternCompositor& compositor)
+{
+  const bool outline = OutlineWidth(scene.Style, scene.Viewport) > 0.0;
+  const std::string text = Text(scene.Style, compositor, outline);
+  if (!this->Quad || this->QuadText != text)
+  {
+    this->ReleaseGraphicsResources(scene.Window);
+    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(scene.Window, nullptr, text.c_str(), "");
+    this->QuadText = text;
+  }
+  vtkShaderProgram* program = this->Quad->Program;
+  if (!program || !program->GetCompiled())
+  {
+    return nullptr;
+  }
+  scene.Window->GetShaderCache()->ReadyShaderProgram(program);
+  if (outline)
+  {
+    SetOutline(scene, program);
+    SetUnprojection(scene, program);
+  }
+  return program;
+}
+
+bool vtkPatternScreenPass::Draw(
+  const Scene& scene, vtkPatternWindowResources& resources, vtkPatternCompositor& compositor)
+{
+  vtkShaderProgram* program = this->Prepare(scene, compositor);
+  if (!program)
+  {
+    return false;
+  }
+  const std::pair<const char*, vtkTextureObject*> images[] = {
+    { "hachureSurfaceColor", resources.SurfaceColor },
+    { "hachureSurfaceTone", resources.SurfaceTone },
+    { "hachureSurfaceNormal", resources.SurfaceNormal },
+    { "hachureSurfaceDepth", resources.SurfaceDepth },
+  };
+  for (const auto& image : images)
+  {
+    image.second->Activate();
+    if (program->IsUniformUsed(image.first)) // the normal serves the outline alone
+    {
+      program->SetUniformi(image.first, image.second->GetTextureUnit());
+    }
+  }
+  compositor.Activate();
+  compositor.SetUniforms(program, scene.Style, scene.Viewport, scene.NanColor.data(), scene.Frame);
+  this->DrawRectangle(scene);
+  compositor.Deactivate();
+  for (const auto& image : images)
+  {
+    image.second->Deactivate();
+  }
+  return true;
+}
+
+void vtkPatternScreenPass::DrawRectangle(const Scene& scene)
+{
+  vtkOpenGLState* state = scene.Window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(
+    scene.Rectangle[0], scene.Rectangle[1], scene.Rectangle[2], scene.Rectangle[3]);
+  this->Quad->Render();
+}
+
+void vtkPatternScreenPass::SetOutline(const Scene& scene, vtkShaderProgram* program)
+{
+  vtkPatternStyle* style = scene.Style;
+  const double* color = style->GetOutlineColor();
+  const float ink[4] = { static_cast<float>(color[0]), static_cast<float>(color[1]),
+    static_cast<float>(color[2]), 1.0f };
+  program->SetUniform4f("hachureOutlineInk", ink);
+
+  constexpr double radiansPerDegree = 3.14159265358979323846 / 180.0;
+  // Steps in depth below this part of the object's size are relief, not contours.
+  constexpr double slack = 0.004;
+  const float shape[3] = { static_cast<float>(OutlineWidth(style, scene.Viewport)),
+    static_cast<float>(std::cos(style->GetOutlineCreaseAngle() * radiansPerDegree)),
+    static_cast<float>(slack * scene.Actor->GetLength()) };
+  program->SetUniform3f("hachureOutlineShape", shape);
+  const float kinds[3] = { style->GetOutlineSilhouette() ? 1.0f : 0.0f,
+    style->GetOutlineCreases() ? 1.0f : 0.0f, style->GetOutlineBorders() ? 1.0f : 0.0f };
+  program->SetUniform3f("hachureOutlineKinds", kinds);
+}
+
+void vtkPatternScreenPass::SetUnprojection(const Scene& scene, vtkShaderProgram* program)
+{
+  const glm::dmat4 projection = vtkPattern::DrawnProjection(scene.Renderer);
+  const float depthToView[4] = { static_cast<float>(projection[3][2]),
+    static_cast<float>(projection[3][3]), static_cast<float>(projection[2][3]),
+    static_cast<float>(projection[2][2]) };
+  program->SetUniform4f("hachureDepthToView", depthToView);
+
+  const bool perspective = projection[2][3] != 0.0;
+  const std::array<int, 4>& area = scene.Viewport.Drawn;
+  float fragmentToView[4];
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double shift = perspective ? projection[2][axis] : -projection[3][axis];
+    const double size = area[2 + axis];
+    const double origin = area[axis];
+    fragmentToView[axis] = static_cast<float>(2.0 / (size * projection[axis][axis]));
+    fragmentToView[2 + axis] =
+      static_cast<float>((-2.0 * origin / size - 1.0 + shift) / projection[axis][axis]);
+  }
+  program->SetUniform4f("hachureFragmentToView", fragmentToView);
+  const float viewport[4] = { static_cast<float>(area[0]), static_cast<float>(area[1]),
+    static_cast<float>(area[0] + area[2] - 1), static_cast<float>(area[1] + area[3] - 1) };
+  program->SetUniform4f("hachureViewport", viewport);
+}
+
+void vtkPatternScreenPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->Quad)
+  {
+    this->Quad->ReleaseGraphicsResources(window);
+    this->Quad.reset();
+  }
+}

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The second stage of drawing an opaque object: evaluates the layers and the outline once per pixel
+ * that the attribute images cover, and writes colour and depth under the normal depth test.
+ */
+#ifndef vtkPatternScreenPass_h
+#define vtkPatternScreenPass_h
+
+#include "PatternTracker.h"
+
+#include <array>
+#include <memory>
+#include <string>
+
+class vtkActor;
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkPatternCompositor;
+class vtkPatternStyle;
+class vtkPatternWindowResources;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkWindow;
+struct vtkPatternViewport;
+
+class vtkPatternScreenPass
+{
+public:
+  vtkPatternScreenPass();
+  ~vtkPatternScreenPass();
+
+  struct Scene
+  {
+    vtkRenderer* Renderer;
+    vtkActor* Actor;
+    vtkOpenGLRenderWindow* Window;
+    vtkPatternStyle* Style;
+    const vtkPatternViewport& Viewport;
+    std::array<int, 4> Rectangle; // x, y, width, height in the framebuffer
+    const hachure::PatternFrame& Frame;
+    std::array<double, 3> NanColor;
+  };
+
+  /// False where the shader of the style does not compile.
+  bool Draw(
+    const Scene& scene, vtkPatternWindowResources& resources, vtkPatternCompositor& compositor);
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  /// Width of a style's outline in framebuffer pixels, 0 without outline.
+  static double OutlineWidth(vtkPatternStyle* style, const vtkPatternViewport& viewport);
+
+private:
+  vtkShaderProgram* Prepare(const Scene& scene, vtkPatternCompositor& compositor);
+  static std::string Text(vtkPatternStyle* style, vtkPatternCompositor& compositor, bool outline);
+  static void SetOutline(const Scene& scene, vtkShaderProgram* program);
+  static void SetUnprojection(const Scene& scene, vtkShaderProgram* program);
+  void DrawRectangle(const Scene& scene);
+
+  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  std::string QuadText;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkPatternScreenPass.h

@@ -13,9 +13,9 @@ examples = pathlib.Path(__file__).resolve().parents[2] / "Examples"
 subprocess.run([sys.executable, examples / "Python" / "first_picture.py", "out.png"], check=True,
                timeout=200)
 pixels = picture("out.png").mean(axis=2)
-assert pixels.shape == (600, 600)
-assert (pixels[:20, :20] == 1).all()
+assert pixels.shape == (400, 400)
+assert (pixels[:15, :15] == 1).all()
 assert 0.02 < ink(pixels) < 0.5, ink(pixels)
 # Along a line through the middle, paper and ink take turns many times.
-dark = pixels[300] < 0.5
+dark = pixels[200] < 0.5
 assert (dark[1:] != dark[:-1]).sum() > 20

@@ -140,10 +140,12 @@ bool vtkPatternShaderInjector::PostReplaceShaderValues(
   const bool physical = fragmentShader.find("vec3 Lo ") != std::string::npos;
   const bool lit = physical || fragmentShader.find("vec3 diffuse ") != std::string::npos;
   const std::string shading = physical ? "Physical" : lit ? "BlinnPhong" : "Unlit";
-  const bool edges = fragmentShader.find("float emix") != std::string::npos;
+  const bool hasEdges = fragmentShader.find("float emix") != std::string::npos;
+  const bool blended = fragmentShader.find("float edgeOpacity") != std::string::npos;
+  const std::string edges = !hasEdges ? "EdgesOff" : blended ? "EdgesBlended" : "EdgesOn";
 
-  std::string text = Section(lit ? "NormalLit" : "NormalUnlit") +
-    Section(edges ? "EdgesOn" : "EdgesOff") + Section("ToneStart") + this->ToneText() +
+  std::string text = Section(lit ? "NormalLit" : "NormalUnlit") + Section(edges) +
+    Section("ToneStart") + this->ToneText() +
     (this->FlatPaper ? Section("FlatPaper") : std::string()) +
     Section(this->Stage == ATTRIBUTES ? "Attributes" : "Forward");
   return this->Place(fragmentShader, beforeLight, Section("BeforeLight" + shading)) &&

@@ -68,6 +68,8 @@ float hachurePackNormal(vec3 n)
   vec3 hachureNormal = vec3(0.0, 0.0, 1.0);
 //Section EdgesOn
   float hachureEdge = emix;
+//Section EdgesBlended
+  float hachureEdge = emix * edgeOpacity;
 //Section EdgesOff
   float hachureEdge = 0.0;
 //Section ToneStart

@@ -17,6 +17,7 @@ fresh_tree()
 // SPDX-License-Identifier: BSD-3-Clause'
   printf '%s\nint number();\n' "$licence" >"$tree/Filters/Core/Number.h"
   printf 'float one()\n{\n  return 1.0;\n}\n' >"$tree/Filters/Core/Kernels/One.glsl"
+  printf '%s\n' "$licence" | tee "$tree/vtkObject.h" >"$tree/Rendering/HachureRenderingModule.h"
   printf '%s\nconst char* tag = "//VTK::TCoord::Impl";\n' "$licence" >"$tree/Rendering/Tag.cxx"
 }
 
@@ -24,7 +25,7 @@ fresh_tree()
 expect()
 {
   local wanted=$1 check=$2 what=$3 code=0
-  "$here/$check" "$tree" >"$tree/output" 2>&1 || code=1
+  HACHURE_NEWER_VTK_INCLUDE=$tree "$here/$check" "$tree" "$tree" >"$tree/output" 2>&1 || code=1
   if [ $code -ne "$wanted" ]; then
     echo "$check: expected $wanted but got $code for: $what"
     cat "$tree/output"
@@ -34,7 +35,7 @@ expect()
 }
 
 fresh_tree
-for check in format.sh spelling.sh walls.sh shaders.py; do
+for check in format.sh spelling.sh walls.sh shaders.py newer_vtk.sh; do
   expect 0 $check "a clean tree"
 done
 echo 'int   number() { return 1 ; }' >>"$tree/Filters/Core/Number.h"
@@ -57,4 +58,8 @@ echo 'float two() { return undefined; }' >>"$tree/Filters/Core/Kernels/One.glsl"
 expect 1 shaders.py "an undefined name in a kernel"
 printf '//VTK::System::Dec\n//VTK::Output::Dec\nvoid main()\n{\n  gl_FragData[0] = vec3(1.0);\n}\n' >"$tree/Rendering/WrongFS.glsl"
 expect 1 shaders.py "a wrong type in a fragment shader"
+echo '#include "vtkCompositePolyDataMapper2.h"' >>"$tree/Rendering/Tag.cxx"
+expect 1 newer_vtk.sh "a header that the other VTK has not"
+rm "$tree/vtkObject.h"
+expect 1 newer_vtk.sh "a folder without VTK's headers"
 exit $failed

@@ -46,6 +46,11 @@ assert set(re.findall(r"--[\w-]+", table)) == help_options, help_options
 for style in draw("--list-styles").stdout.split():
     assert "`%s`" % style in table, style
 
+# The properties of the README are those that ParaView shows.
+xml = (readme.ROOT / "Plugin/Representations/PatternRepresentation.xml").read_text(encoding="utf-8")
+rows = "\n".join(line for line in readme.TEXT.splitlines() if line.startswith("| `Pattern"))
+assert set(re.findall(r"`(\w+)`", rows)) == set(re.findall(r'VectorProperty name="(\w+)"', xml)), rows
+
 # Its commands draw.
 commands = [line for code in readme.blocks("sh") for line in code.splitlines()
             if line.startswith("hachure-render ")]

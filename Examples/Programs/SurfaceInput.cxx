@@ -138,6 +138,10 @@ Leaf cleaned(vtkPolyData* surface, bool mergePoints)
   return clean->GetOutput();
 }
 
+/// From this angle between its faces on, in degrees, an edge is sharp: light and outlines tell its
+/// two sides apart. Where outlines begin to show a crease, too.
+constexpr double SharpEdge = 40.0;
+
 Leaf withNormals(vtkPolyData* surface)
 {
   if (surface->GetPointData()->GetNormals() ||
@@ -147,7 +151,8 @@ Leaf withNormals(vtkPolyData* surface)
   }
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(surface);
-  normals->SplittingOff();
+  normals->SplittingOn();
+  normals->SetFeatureAngle(SharpEdge);
   normals->ConsistencyOn();
   normals->Update();
   return normals->GetOutput();

@@ -4,7 +4,7 @@
 """shaders.py FOLDER [DUMPS]: glslangValidator accepts every shader text below FOLDER.
 
 Kernels are validated at three GLSL versions, alone with the ones before them and all together. Complete
-fragment shaders (*FS.glsl) get the pieces named by their tags put in, with one layer of every kind.
+fragment shaders (*FS.glsl) and vertex shaders (*VS.glsl) get the pieces named by their tags put in, with one layer of every kind.
 DUMPS: a folder of whole programs as they were drawn (*.vert, *.frag), validated too when it is there.
 """
 
@@ -70,14 +70,21 @@ def stack(pieces, kernels):
     return declarations, calls
 
 
+def sections(text):
+    """The pieces of a file that holds several, by the name after //Section."""
+    parts = re.split(r"^//Section (\w+)\n", text, flags=re.MULTILINE)
+    return dict(zip(parts[1::2], parts[2::2]))
+
+
 def assemble(text, kernels, pieces):
     """A whole fragment shader: pieces for tags, VTK's outputs for gl_FragData."""
     declarations, calls = stack(pieces, kernels)
-    outline, _, outline_call = pieces.get("PatternOutline", "").partition("//Section Call")
+    outline = sections(pieces.get("PatternOutline", ""))
     for tag, piece in (
         ("//Hachure::Compose::Dec", kernels + pieces.get("PatternCompose", "")),
-        ("//Hachure::Outline::Dec", outline),
-        ("//Hachure::Outline::Impl", outline_call),
+        ("//Hachure::Outline::Dec", outline.get("Functions", "")),
+        ("//Hachure::Outline::Impl", outline.get("Call", "")),
+        ("//Hachure::Crease::Impl", outline.get("Crease", "")),
         ("//Hachure::Layers::Dec", declarations),
         ("//Hachure::Layers::Impl", calls),
         ("//VTK::System::Dec", "#version %d" % GLUE_VERSION),
@@ -104,6 +111,8 @@ def main(root, dumps):
     for name, text in pieces.items():
         if name.endswith("FS"):
             good &= validate(name + ".glsl", assemble(text, "\n".join(texts), pieces))
+        if name.endswith("VS"):
+            good &= validate(name + ".glsl", assemble(text, "\n".join(texts), pieces), "vert")
     if dumps and os.path.isdir(dumps):
         for name in sorted(os.listdir(dumps)):
             stage = name.rsplit(".", 1)[-1]

@@ -4,7 +4,8 @@
 """shaders.py FOLDER [DUMPS]: glslangValidator accepts every shader text below FOLDER.
 
 Kernels are validated at three GLSL versions, alone with the ones before them and all together. Complete
-fragment shaders (*FS.glsl) and vertex shaders (*VS.glsl) get the pieces named by their tags put in, with one layer of every kind.
+shaders (*FS.glsl of fragments, *VS.glsl of vertices) get the pieces named by their tags put in, with one
+layer of every kind.
 DUMPS: a folder of whole programs as they were drawn (*.vert, *.frag), validated too when it is there.
 """
 

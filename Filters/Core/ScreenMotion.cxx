@@ -251,49 +251,109 @@ bool isInside(const glm::dvec4& clip)
   return clip.w > 0.0 && std::max({ size.x, size.y, size.z }) <= clip.w;
 }
 
-// Depths below are along the direction of view.
-bool isHiddenBy(
-  const SeenTriangle& other, const SeenTriangle& own, const glm::dvec3& point, bool turned)
+// Whether a point of a triangle is seen in the state after.
+class PointAfter
 {
-  const glm::dvec2 position = own.pixel(point);
-  const glm::dvec3 seen = other.point(other.barycentrics(position));
-  const glm::dvec2 seenPosition = other.pixel(seen);
-  const double gap = glm::length(seenPosition - position);
-  double depth = -point.z;
-  double tolerance = coincidence * std::abs(depth);
-  glm::dvec3 extended;
-  if (!turned && own.planeBarycentrics(seenPosition, extended))
+public:
+  PointAfter(const MotionScene& theScene, std::int32_t theIndex, const SeenTriangle& theTriangle,
+    const glm::dvec3& thePoint)
+    : scene(theScene)
+    , index(theIndex)
+    , triangle(theTriangle)
+    , point(thePoint)
+    , position(theTriangle.pixel(thePoint))
+    , tolerance(coincidence * std::abs(thePoint.z))
   {
-    depth = std::min(depth, -own.point(extended).z);
-    tolerance += gap * neighbourSlope * own.pixelLength(point);
   }
-  return -seen.z < depth - tolerance;
-}
 
-bool isSeenAfter(const MotionScene& scene, std::int32_t index, const SeenTriangle& before,
-  const SeenTriangle& after, const glm::dvec3& point)
-{
-  if (!isInside(after.clip(point)))
+  bool isSeen(bool turned) const
   {
+    const glm::ivec2 pixel = glm::min(glm::ivec2(glm::floor(this->position)), this->scene.size - 1);
+    if (this->isCovered(pixel))
+    {
+      return false;
+    }
+    const std::int32_t seen = this->seenAt(pixel);
+    if (seen == this->index)
+    {
+      return true;
+    }
+    // Nothing there: past its own border by a part of a pixel.
+    return seen == nothingSeen ? !turned : !this->isBehindNeighbour(this->other(seen), turned);
+  }
+
+private:
+  std::int32_t seenAt(const glm::ivec2& pixel) const
+  {
+    const auto width = static_cast<std::size_t>(this->scene.size.x);
+    return this->scene.after
+      .seen[static_cast<std::size_t>(pixel.y) * width + static_cast<std::size_t>(pixel.x)];
+  }
+
+  SeenTriangle other(std::int32_t seen) const
+  {
+    return { this->scene.after, this->scene.triangles[static_cast<std::size_t>(seen)],
+      this->scene.size };
+  }
+
+  // Whether a triangle seen at this pixel or beside it lies right over the point.
+  bool isCovered(const glm::ivec2& pixel) const
+  {
+    std::int32_t tried = this->index;
+    const glm::ivec2 low = glm::max(pixel - 1, glm::ivec2(0));
+    const glm::ivec2 high = glm::min(pixel + 1, this->scene.size - 1);
+    for (int y = low.y; y <= high.y; ++y)
+    {
+      for (int x = low.x; x <= high.x; ++x)
+      {
+        const std::int32_t seen = this->seenAt({ x, y });
+        if (seen == nothingSeen || seen == this->index || seen == tried)
+        {
+          continue;
+        }
+        tried = seen;
+        if (this->isUnder(this->other(seen)))
+        {
+          return true;
+        }
+      }
+    }
     return false;
   }
-  const glm::ivec2 pixel = glm::min(glm::ivec2(glm::floor(after.pixel(point))), scene.size - 1);
-  const std::size_t row =
-    static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(scene.size.x);
-  const std::int32_t seen = scene.after.seen[row + static_cast<std::size_t>(pixel.x)];
-  if (seen == index)
+
+  bool isUnder(const SeenTriangle& cover) const
   {
-    return true;
+    glm::dvec3 barycentrics;
+    return cover.planeBarycentrics(this->position, barycentrics) &&
+      std::min({ barycentrics.x, barycentrics.y, barycentrics.z }) >= 0.0 &&
+      -cover.point(barycentrics).z < -this->point.z - this->tolerance;
   }
-  const bool turned = !before.sameSide(after);
-  if (seen == nothingSeen)
+
+  // The triangle at the point's pixel, which may lie beside the point by a part of a pixel: whether
+  // it is nearer than the point's own triangle, extended to there.
+  bool isBehindNeighbour(const SeenTriangle& neighbour, bool turned) const
   {
-    return !turned; // past its own border by a part of a pixel
+    const glm::dvec3 seen = neighbour.point(neighbour.barycentrics(this->position));
+    const glm::dvec2 seenPosition = neighbour.pixel(seen);
+    double depth = -this->point.z;
+    double slack = this->tolerance;
+    glm::dvec3 extended;
+    if (!turned && this->triangle.planeBarycentrics(seenPosition, extended))
+    {
+      depth = std::min(depth, -this->triangle.point(extended).z);
+      slack += glm::distance(seenPosition, this->position) * neighbourSlope *
+        this->triangle.pixelLength(this->point);
+    }
+    return -seen.z < depth - slack;
   }
-  const SeenTriangle other(
-    scene.after, scene.triangles[static_cast<std::size_t>(seen)], scene.size);
-  return !isHiddenBy(other, after, point, turned);
-}
+
+  const MotionScene& scene;
+  std::int32_t index;
+  const SeenTriangle& triangle;
+  glm::dvec3 point;
+  glm::dvec2 position;
+  double tolerance;
+};
 
 PixelMotion pixelMotion(const MotionScene& scene, std::int32_t index, const glm::dvec2& position)
 {
@@ -314,7 +374,9 @@ PixelMotion pixelMotion(const MotionScene& scene, std::int32_t index, const glm:
     const glm::dvec2 motion = after.pixel(to) - before.pixel(from);
     result.u = static_cast<float>(motion.x);
     result.v = static_cast<float>(motion.y);
-    result.visible = isSeenAfter(scene, index, before, after, to) ? 1.0f : 0.0f;
+    const bool seen = isInside(after.clip(to)) &&
+      PointAfter(scene, index, after, to).isSeen(!before.sameSide(after));
+    result.visible = seen ? 1.0f : 0.0f;
   }
   return result;
 }

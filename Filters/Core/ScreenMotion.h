@@ -53,9 +53,10 @@ struct PixelMotion
   float label = 0.0f;
 };
 
-// Row by row from the bottom. Whether a point is seen after is decided at the pixel that it falls
-// on: where another triangle is seen there, by depth. That triangle may lie beside the point by a
-// part of a pixel; the comparison then follows the slope of the point's own triangle.
+// Row by row from the bottom. A point is hidden after where a triangle that is seen at one of the
+// nine pixels around it lies right over it. Where another triangle is seen at its own pixel, beside
+// the point by a part of a pixel, depth decides, following the slope of the point's own triangle:
+// so up to a pixel beside something nearer may count as hidden.
 //
 // Throws std::invalid_argument on a size below 1, arrays of different lengths, corners that are no
 // points, seen triangles that do not exist, and positions or projections that are not finite.

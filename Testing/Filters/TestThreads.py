@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: Hachure contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every filter gives the same bytes with 1 and with 8 OpenMP threads."""
+
+import hashlib
+import os
+import subprocess
+import sys
+
+import hachure
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+
+def arrays_of(data):
+    kinds = (vtkDataObject.POINT, vtkDataObject.CELL, vtkDataObject.FIELD, vtkDataObject.ROW)
+    for kind in kinds:
+        attributes = data.GetAttributesAsFieldData(kind)
+        for i in range(attributes.GetNumberOfArrays() if attributes else 0):
+            if attributes.GetArray(i):  # texts have no array of numbers
+                yield attributes.GetArray(i)
+
+
+def digest(data):
+    """A hash of all numbers that a data object holds."""
+    result = hashlib.sha256()
+    if hasattr(data, "GetPoints") and data.GetPoints():
+        result.update(vtk_to_numpy(data.GetPoints().GetData()).tobytes())
+    count = 0
+    for array in arrays_of(data):
+        result.update(vtk_to_numpy(array).tobytes())
+        count += array.GetNumberOfValues()
+    assert count > 0, "nothing to compare"
+    return result.hexdigest()
+
+
+def camera_at(azimuth):
+    camera = vtkCamera()
+    camera.SetPosition(0.0, 0.0, 10.0)
+    camera.Azimuth(azimuth)
+    return camera
+
+
+def digests():
+    surface = vtkSphereSource()
+    surface.SetThetaResolution(200)
+    surface.SetPhiResolution(200)
+    sampler = hachure.vtkStratifiedSurfaceSampler()
+    sampler.SetInputConnection(surface.GetOutputPort())
+    tracker = hachure.vtkSimilarityTracker()
+    tracker.SetInputConnection(sampler.GetOutputPort())
+    tracker.SetCameraBefore(camera_at(0.0))
+    tracker.SetCameraAfter(camera_at(5.0))
+    tracker.SetViewportSize(640, 480)
+    pattern = hachure.vtkPatternImageSource()
+    pattern.SetPattern(pattern.CROSS_HATCH)
+    pattern.SetIrregularity(0.5)
+    table = hachure.vtkToneCorrectionTable()
+    table.SetInputConnection(pattern.GetOutputPort())
+    results = []
+    for filter_ in (sampler, tracker, pattern, table):
+        filter_.Update()
+        results.append(filter_.GetClassName() + " " + digest(filter_.GetOutput()))
+    return "\n".join(results)
+
+
+if "--digests" in sys.argv:
+    print(digests())
+    sys.exit(0)
+
+outputs = [
+    subprocess.run(
+        [sys.executable, __file__, "--digests"],
+        env=dict(os.environ, OMP_NUM_THREADS=threads),
+        stdout=subprocess.PIPE,
+        check=True,
+        text=True,
+    ).stdout
+    for threads in ("1", "8")
+]
+assert outputs[0].count("\n") == 4, outputs[0]
+assert outputs[0] == outputs[1], "\n".join(outputs)

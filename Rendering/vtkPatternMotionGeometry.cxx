@@ -171,13 +171,9 @@ void vtkPatternMotionGeometry::AppendTriangles(
   for (vtkIdType cell = 0; cell < data->GetStrips()->GetNumberOfCells(); ++cell)
   {
     data->GetStrips()->GetCellAtId(cell, size, points);
-    for (vtkIdType i = 2; i < size; ++i)
+    for (vtkIdType i = 2; i < size; ++i) // which way round does not matter
     {
-      // Every other triangle of a strip turns the other way.
-      const vtkIdType second = i % 2 == 0 ? i - 1 : i;
-      const vtkIdType third = i % 2 == 0 ? i : i - 1;
-      this->Triangles.emplace_back(
-        corner(points[i - 2]), corner(points[second]), corner(points[third]));
+      this->Triangles.emplace_back(corner(points[i - 2]), corner(points[i - 1]), corner(points[i]));
     }
   }
   this->Labels.resize(this->Triangles.size(), label);

@@ -43,6 +43,25 @@ def test_plane():
             assert abs(found[4] - depth)[mask].max() < 1e-4
 
 
+def test_floor_behind_the_camera():
+    """Two triangles that reach from far away to behind the camera, which walks over them."""
+    floor = scene.plane(40.0).GetOutput()
+    before = motion.camera_at((0.0, -1.0, 0.3), (0.2, 0.0, 0.2))
+    before.SetViewUp(0.0, 0.0, 1.0)
+    before.SetClippingRange(0.01, 100.0)
+    after = vtkCamera()
+    after.DeepCopy(before)
+    after.SetPosition(0.02, -0.95, 0.31)
+    found = motion.compute(before, after, [(floor,)])
+    view = motion.View(before)
+    points = motion.on_plane(view)
+    mask = found[5] == 1
+    expected = motion.View(after).project(points) - view.project(points)
+    error = motion_error(found, expected, mask)
+    print("floor", error)
+    assert error < TOLERANCE, error
+
+
 def rotation(matrix):
     return numpy.array([[matrix.GetElement(i, j) for j in range(3)] for i in range(3)])
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A point is visible where it is seen in both states: behind a sphere, beyond the picture."""
 
+import hachure
 import motion_scene as motion
 import numpy
 import pattern_scene as scene
@@ -73,6 +74,20 @@ def test_no_motion_and_blocks():
     assert abs(found[:2]).max() < 1e-6 and (found[2] == surface).all()
     assert (motion.compute(camera, camera, [(vtkPolyData(),)]) == 0).all()
     assert (motion.compute(camera, camera, []) == 0).all()
+
+
+def test_the_picture_of_the_window_stays():
+    """Motion is computed between two frames of the same window, which show the same."""
+    actor = scene.actor_of(SQUARE, scene.constant_style(0, 8, 0.5))
+    renderer = scene.renderer_of(actor)
+    window = scene.window_of(renderer, size=(200, 150))
+    camera = scene.look(renderer)
+    first = scene.draw(window)
+    cameras = camera, motion.moved(camera, "roll")
+    image = hachure.screen_motion(window, (320, 240), cameras, [SQUARE])
+    assert image.GetPointData().GetScalars().GetRange(hachure.vtkPatternMotion.LABEL) == (0.0, 1.0)
+    assert (scene.picture(window) == first).all(), "the picture was overwritten"
+    assert (scene.draw(window) == first).all(), "the next picture is another"
 
 
 scene.run(globals())

@@ -9,6 +9,7 @@
 
 #include <vtkCamera.h>
 #include <vtkNew.h>
+#include <vtkPatternMapper.h>
 #include <vtkTransform.h>
 
 #include <algorithm>
@@ -335,6 +336,19 @@ void Animation::apply(int frame, Scene& scene) const
   if (this->camera)
   {
     this->camera->InterpolateCamera(time, scene.camera());
+    // Patterns of anchored styles are tracked along the path, whichever frame is drawn first.
+    auto* mapper = vtkPatternMapper::SafeDownCast(scene.surfaceActor()->GetMapper());
+    if (mapper && mapper->GetCameraPath() != this->camera)
+    {
+      mapper->SetCameraPath(this->camera);
+      mapper->RemoveAllKeyTimes();
+      mapper->AddKeyTime(0.0);
+      mapper->SetReplayStep(1.0 / this->framesPerSecond);
+    }
+    if (mapper)
+    {
+      mapper->SetAnimationTime(time);
+    }
   }
   for (const Track& track : this->turntable)
   {

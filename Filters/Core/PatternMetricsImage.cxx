@@ -60,7 +60,7 @@ MetricImage convolvedAndTransposed(const ImageView& image, const std::vector<flo
   return result;
 }
 
-// The recursive filter that turns values into coefficients of a cubic B-spline (Unser 1999, box 2),
+// The recursive filter that turns values into coefficients of a cubic B-spline,
 // with the border mirrored.
 void splineFilter(float* values, std::int64_t count, std::int64_t stride)
 {

@@ -21,6 +21,8 @@
 #include <cstring>
 #include <exception>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkPatternMotion);
 

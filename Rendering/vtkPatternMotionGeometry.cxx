@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatternMotionGeometry.h"
 
-#include "Parallel.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkPatternBlocks.h"
@@ -13,6 +12,7 @@
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>

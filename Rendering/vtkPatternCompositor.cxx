@@ -174,7 +174,7 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
   program->SetUniformi("hachureToneTables", this->Tables->GetTextureUnit());
   program->SetUniformf("hachureTableRows", static_cast<float>(this->TableRows));
 
-  double row = 0.0;
+  std::size_t row = 0;
   for (std::size_t i = 0; i < this->Layers.size(); ++i)
   {
     const Drawn& drawn = this->Layers[i];
@@ -187,8 +187,8 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
     const float curve[3] = { static_cast<float>(tone->GetGamma()), tone->GetInvert() ? 1.0f : 0.0f,
       static_cast<float>(tone->GetConstant()) };
     program->SetUniform3f(("hachureCurve" + number).c_str(), curve);
-    drawn.Painter->SetUniforms(program, number, frame, row);
-    row += static_cast<double>(drawn.Painter->GetTableRows().size() / tableTones);
+    drawn.Painter->SetUniforms(program, number, frame, static_cast<double>(row));
+    row += drawn.Painter->GetTableRows().size() / tableTones;
   }
 }
 

@@ -34,7 +34,7 @@ namespace
 constexpr double notKnown = std::numeric_limits<double>::quiet_NaN();
 // Ink deviations below this are rounding of pictures with 256 grey levels, not a pattern.
 constexpr double leastDeviation = 0.004;
-constexpr int reach = 2; // pixels around that a look-up or a derivative reads
+constexpr int reach = 3; // pixels around that a look-up or a derivative reads
 
 struct Pixel
 {
@@ -50,8 +50,6 @@ struct Block
   glm::dvec2 slide{ 0.0 };
   double coherence = 0.0;
   double best = 0.0; // NCC at slide
-  double normalSlide = 0.0;
-  bool strokes = false; // all in one direction
   bool contrast = false;
 };
 
@@ -87,9 +85,7 @@ double correlation(const Block& block, const MetricImage& next, glm::dvec2 slide
   return (ab / count - a * b / (count * count)) / std::sqrt(varianceA * varianceB);
 }
 
-// The best slide of a lattice; on the normal of the strokes alone if alongNormal.
-glm::dvec2 coarseSlide(
-  const Block& block, const MetricImage& next, double wavelength, bool alongNormal)
+glm::dvec2 coarseSlide(const Block& block, const MetricImage& next, double wavelength)
 {
   const double spacing = std::clamp(wavelength / 8.0, 0.5, 4.0);
   const double radius = 0.5 * wavelength;
@@ -97,13 +93,11 @@ glm::dvec2 coarseSlide(
   const int stride = wavelength >= 8.0 ? 3 : 1; // no divisor of even widths: pixels of all columns
   glm::dvec2 best(0.0);
   double bestScore = -2.0;
-  const int rows = alongNormal ? 0 : steps;
-  for (int j = -rows; j <= rows; ++j)
+  for (int j = -steps; j <= steps; ++j)
   {
     for (int i = -steps; i <= steps; ++i)
     {
-      const glm::dvec2 slide =
-        spacing * (alongNormal ? double(i) * block.normal : glm::dvec2(i, j));
+      const glm::dvec2 slide(i * spacing, j * spacing);
       const double length = glm::length(slide);
       if (length >= radius)
       {
@@ -173,11 +167,12 @@ glm::dvec2 refinedSlide(const Block& block, const MetricImage& next, glm::dvec2 
   return slide;
 }
 
-// Along `stride`, times 12, to fourth order: of lower order, short waves would seem to run in other
+// Along `stride`, times 60, to sixth order: of lower order, short waves would seem to run in other
 // directions than they do.
 double derivative(const float* ink, int stride)
 {
-  return 8.0 * (ink[stride] - ink[-stride]) - (ink[2 * stride] - ink[-2 * stride]);
+  return 45.0 * (ink[stride] - ink[-stride]) - 9.0 * (ink[2 * stride] - ink[-2 * stride]) +
+    (ink[3 * stride] - ink[-3 * stride]);
 }
 
 // Direction in which the ink changes most: the leading axis of the structure tensor.
@@ -217,8 +212,6 @@ Block readBlock(const StepImages& images, const MotionView& motion, int left, in
   const double count = std::max<double>(1.0, static_cast<double>(block.pixels.size()));
   block.motion /= count;
   block.normal = strokeNormal(xx, xy, yy);
-  constexpr double alike = 0.8; // (a - b) / (a + b) of the tensor's axes: 0 = isotropic, 1 = ruled
-  block.strokes = std::hypot(xx - yy, 2.0 * xy) > alike * (xx + yy);
   block.contrast = squares / count - sum * sum / (count * count) >= leastDeviation * leastDeviation;
   return block;
 }
@@ -255,19 +248,13 @@ StepImages prepareStep(const PatternClip& clip, std::size_t t, const MotionMetri
 void compareBlock(Block& block, const MetricImage& next, double wavelength)
 {
   block.coherence = correlation(block, next, glm::dvec2(0.0), 1);
-  block.slide = refinedSlide(block, next, coarseSlide(block, next, wavelength, false));
+  block.slide = refinedSlide(block, next, coarseSlide(block, next, wavelength));
   block.best = correlation(block, next, block.slide, 1);
   if (block.best < block.coherence) // a maximum that the paraboloid missed
   {
     block.slide = glm::dvec2(0.0);
     block.best = block.coherence;
   }
-  // Along strokes any slide is as good, so that the best one of all may be long and hence, with the
-  // least error of the normal, wrong across: look across alone.
-  const glm::dvec2 across = block.strokes
-    ? refinedSlide(block, next, coarseSlide(block, next, wavelength, true))
-    : block.slide;
-  block.normalSlide = std::abs(glm::dot(across, block.normal));
 }
 
 std::vector<Block> compareStep(
@@ -315,7 +302,7 @@ StepMetrics meanOfBlocks(const std::vector<Block>& blocks)
       mean.boil += std::max(0.0, 1.0 - block.best);
       mean.slide += glm::length(block.slide);
       mean.motion += glm::length(block.motion);
-      mean.normalSlide += block.normalSlide;
+      mean.normalSlide += std::abs(glm::dot(block.slide, block.normal));
       mean.normalMotion += std::abs(glm::dot(block.motion, block.normal));
       ++mean.blocks;
     }

@@ -32,10 +32,10 @@ Ink noise(int)
   return noiseInk(wavelength, 3);
 }
 
-MotionMetrics measure(const Clip& clip)
+MotionMetrics measure(const Clip& clip, double length = wavelength)
 {
   MotionMetricsOptions options;
-  options.wavelength = wavelength;
+  options.wavelength = length;
   return measureMotion(clip.view(), options);
 }
 
@@ -105,14 +105,23 @@ TEST(PatternMetricsMotion, StrokesCountAcrossAlone)
   const double angle = 0.6;
   const glm::dvec2 along(-std::sin(angle), std::cos(angle));
   const auto hatch = [=](int) { return hatchInk(wavelength, angle); };
+  for (const PlaneMotion& motion : motions())
+  {
+    const MotionMetrics fixed = measure(planeClip(size, 3, motion, hatch, motion));
+    EXPECT_LT(fixed.normalSlideRatio, 0.005);
+    EXPECT_LT(fixed.largestBoil, 0.0005);
+  }
   const PlaneMotion surface = motions()[0];
   PlaneMotion pattern = surface;
   pattern.shift += 1.0 * along; // nobody can see this
-  const MotionMetrics fixed = measure(planeClip(size, 3, surface, hatch, pattern));
-  EXPECT_LT(fixed.normalSlideRatio, 0.005);
-  EXPECT_LT(fixed.largestBoil, 0.0005);
-  const MotionMetrics door = measure(planeClip(size, 3, surface, hatch, still));
-  EXPECT_NEAR(door.normalSlideRatio, 1.0, 0.01);
+  for (const double length : { wavelength, 5.0 })
+  {
+    const auto strokes = [=](int) { return hatchInk(length, angle); };
+    const MotionMetrics fixed = measure(planeClip(size, 3, surface, strokes, pattern), length);
+    EXPECT_LT(fixed.normalSlideRatio, 0.005) << length;
+    const MotionMetrics door = measure(planeClip(size, 3, surface, strokes, still), length);
+    EXPECT_NEAR(door.normalSlideRatio, 1.0, 0.01) << length;
+  }
 }
 
 TEST(PatternMetricsMotion, BackgroundAndHiddenSurfaceDoNotCount)
@@ -122,14 +131,17 @@ TEST(PatternMetricsMotion, BackgroundAndHiddenSurfaceDoNotCount)
   for (std::size_t i = 0; i < clip.motions[0].visible.size(); ++i)
   {
     const auto x = i % size;
-    if (x < 30)
+    if (x < 30) // background
     {
       clip.motions[0].visible[i] = 0.0f;
       clip.motions[0].u[i] = NAN; // anything may stand there
+    }
+    if (x < 31) // pixels that lead on are at 31.37 and above
+    {
       clip.inks[1][i] = 1.0f;
     }
     clip.motions[0].facing.push_back(x > 100 ? 0.2f : 0.9f);
-    if (x > 104)
+    if (x > 102)
     {
       clip.inks[1][i] = 0.0f;
     }

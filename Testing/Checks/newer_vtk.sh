@@ -18,7 +18,8 @@ if [ ! -e "$build/Rendering/HachureRenderingModule.h" ]; then
   exit 125
 fi
 
-flags=(-std=c++17 -fopenmp -Wall -Wextra -Wshadow -Werror)
+# VTK's targets say that its FFT computes in double, and vtkFFT.h does not compile otherwise.
+flags=(-std=c++17 -fopenmp -Wall -Wextra -Wshadow -Werror -Dkiss_fft_scalar=double)
 IFS=: read -r -a folders <<<"$HACHURE_NEWER_VTK_INCLUDE"
 found=
 for folder in "${folders[@]}"; do

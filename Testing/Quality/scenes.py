@@ -1,0 +1,209 @@
+# SPDX-FileCopyrightText: Hachure contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the quality report draws: scenes, camera motions, fields, inks and lightings, each in one list.
+
+A scene is a list of surfaces (polydata) about the origin, of radius 0.65 or so; a motion gives the
+camera at every frame. Speeds keep motion below half the wavelength of the inks per frame.
+"""
+
+import math
+import os
+
+import hachure
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkPolyDataNormals
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+RADIUS = 0.65
+VIEW_ANGLE = 30.0
+DISTANCE = 3.2  # of the camera from the origin, scene units
+TONE = 0.5
+WAVELENGTH = 12.0  # of all inks, in pixels
+SKULL_LEVEL = 2.9  # the bone, in the file's units
+DATA = os.environ.get("HACHURE_DATA") or os.path.join(
+    os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Data")
+
+
+def placed(surface, move=(0, 0, 0), scale=(1, 1, 1), turn=(0, 0, 0, 1)):
+    transform = vtkTransform()
+    transform.Translate(*move)
+    transform.RotateWXYZ(*turn)
+    transform.Scale(*scale)
+    apply = vtkTransformPolyDataFilter()
+    apply.SetTransform(transform)
+    apply.SetInputData(surface)
+    apply.Update()
+    return apply.GetOutput()
+
+
+def ball(radius=RADIUS):
+    source = vtkSphereSource()
+    source.SetRadius(radius)
+    source.SetThetaResolution(96)
+    source.SetPhiResolution(96)
+    source.Update()
+    return source.GetOutput()
+
+
+def square(width=6.0):
+    """In the plane z = 0, facing the camera."""
+    source = vtkPlaneSource()
+    source.SetOrigin(-width / 2, -width / 2, 0)
+    source.SetPoint1(width / 2, -width / 2, 0)
+    source.SetPoint2(-width / 2, width / 2, 0)
+    source.SetResolution(24, 24)
+    source.Update()
+    return source.GetOutput()
+
+
+def sphere():
+    return [ball()]
+
+
+def ellipsoid():
+    return [placed(ball(), scale=(1.0, 0.7, 0.5), turn=(25, 0, 1, 0))]
+
+
+def plane():
+    return [placed(square(), turn=(-40, 1, 0, 0))]
+
+
+def sphere_before_plane():
+    return [placed(ball(0.4), move=(0.1, 0.0, 0.5)), placed(square(), move=(0, 0, -0.6))]
+
+
+def room():
+    """A floor and a wall with several spheres that hide them and each other."""
+    floor = placed(square(), move=(0, -0.6, 0), turn=(-90, 1, 0, 0))
+    places = (-0.5, -0.35, 0.4), (0.4, -0.3, 0.0), (-0.1, -0.25, -0.5)
+    return [floor, placed(square(), move=(0, 0, -1.2))] + [
+        placed(ball(0.25), move=place) for place in places]
+
+
+def skull():
+    reader = vtkXMLImageDataReader()
+    reader.SetFileName(os.path.join(DATA, "skull.vti"))
+    contour = vtkContourFilter()
+    contour.SetInputConnection(reader.GetOutputPort())
+    contour.SetValue(0, SKULL_LEVEL)
+    contour.ComputeNormalsOff()
+    normals = vtkPolyDataNormals()
+    normals.SetInputConnection(contour.GetOutputPort())
+    normals.SplittingOff()
+    normals.Update()
+    found = normals.GetOutput()
+    if not found.GetNumberOfPolys():
+        raise RuntimeError("no surface in %s" % reader.GetFileName())
+    scale = 2 * RADIUS / found.GetLength() * 1.3
+    centre = [-scale * c for c in found.GetCenter()]
+    return [placed(found, move=centre, scale=(scale,) * 3)]
+
+
+SCENES = {
+    "sphere": sphere,
+    "ellipsoid": ellipsoid,
+    "plane": plane,
+    "sphere before a plane": sphere_before_plane,
+    "room": room,
+    "skull": skull,
+}
+
+
+def camera_at(position, focal_point, up=(0.0, 1.0, 0.0)):
+    camera = vtkCamera()
+    camera.SetViewAngle(VIEW_ANGLE)
+    camera.SetPosition(*position)
+    camera.SetFocalPoint(*focal_point)
+    camera.SetViewUp(*up)
+    camera.SetClippingRange(0.3, 12.0)
+    return camera
+
+
+def steps(frames):
+    """-1/2 times the number of steps to 1/2 times it: the middle of a clip is the middle of its path."""
+    return [frame - (frames - 1) / 2 for frame in range(frames)]
+
+
+def translate(frames):
+    return [camera_at((0.011 * s, 0.005 * s, DISTANCE), (0.011 * s, 0.005 * s, 0.0))
+            for s in steps(frames)]
+
+
+def rotate(frames):
+    angles = [math.radians(1.2 * s) for s in steps(frames)]
+    return [camera_at((DISTANCE * math.sin(a), 0.0, DISTANCE * math.cos(a)), (0, 0, 0))
+            for a in angles]
+
+
+def zoom(frames):
+    return [camera_at((0, 0, DISTANCE * 1.03**-s), (0, 0, 0)) for s in steps(frames)]
+
+
+def roll(frames):
+    angles = [math.radians(2.0 * s) for s in steps(frames)]
+    return [camera_at((0, 0, DISTANCE), (0, 0, 0), (math.sin(a), math.cos(a), 0)) for a in angles]
+
+
+def walk(frames):
+    """Forward and to the side, with the up and down of steps, looking a little around."""
+    cameras = []
+    for s in steps(frames):
+        bob = 0.012 * math.sin(0.9 * s)
+        cameras.append(camera_at((0.010 * s, bob, DISTANCE - 0.03 * s), (0.006 * s, 0.5 * bob, 0)))
+    return cameras
+
+
+MOTIONS = {"translate": translate, "rotate": rotate, "zoom": zoom, "roll": roll, "walk": walk}
+
+# How the pattern moves: a function that sets up a vtkImagePatternLayer.
+FIELDS = {
+    "screen": lambda layer: layer.SetMotion(layer.FIXED_IN_IMAGE),
+    "similarity": lambda layer: layer.SetMotion(layer.SIMILARITY),
+}
+
+
+def noise(layer, size=256):
+    """Isotropic noise in a ring of frequencies, without a seam: slides show in every direction."""
+    frequency = numpy.hypot(*numpy.meshgrid(*(numpy.fft.fftfreq(size),) * 2))
+    ring = numpy.exp(-0.5 * ((frequency * WAVELENGTH - 1) / 0.2) ** 2)
+    white = numpy.random.default_rng(1).normal(size=(size, size))
+    field = numpy.fft.ifft2(numpy.fft.fft2(white) * ring).real
+    grey = 255 * (field - field.min()) / numpy.ptp(field)
+    image = vtkImageData()
+    image.SetDimensions(size, size, 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(grey.astype(numpy.float32).ravel(), deep=1))
+    layer.SetPattern(layer.IMAGE)
+    layer.SetImage(image)
+    layer.SetSize(size)
+    layer.SetAngle(0.0)
+
+
+def hatch(layer):
+    layer.SetPattern(layer.HATCH)
+    layer.SetSize(WAVELENGTH)
+
+
+INKS = {"noise": noise, "hatch": hatch}
+# Along their strokes slides cannot be seen: only those across count.
+STROKES = {"hatch"}
+
+LIGHTINGS = {
+    "unlit": lambda tone: (tone.SetSource(tone.CONSTANT), tone.SetConstant(TONE)),
+    "lit": lambda tone: tone.SetSource(tone.LIT),
+}
+
+
+def new_style(field, ink, lighting):
+    style = hachure.vtkPatternStyle()
+    layer = hachure.vtkImagePatternLayer()
+    INKS[ink](layer)
+    FIELDS[field](layer)
+    LIGHTINGS[lighting](layer.GetTone())
+    style.AddLayer(layer)
+    return style

@@ -87,6 +87,7 @@ std::vector<hachure::MetricPlanes> readAll(
   vtkInformationVector* inputs, const char* name, int fewest, int most, const char* expected)
 {
   std::vector<hachure::MetricPlanes> images;
+  images.reserve(static_cast<std::size_t>(inputs->GetNumberOfInformationObjects()));
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
     images.push_back(hachure::readPlanes(vtkImageData::GetData(inputs, i),
@@ -186,12 +187,14 @@ double flickerOf(
   const hachure::PatternClip& clip, vtkInformationVector* inputs, int minimumCellPixels)
 {
   std::vector<hachure::MetricLabels> labels;
+  labels.reserve(static_cast<std::size_t>(inputs->GetNumberOfInformationObjects()));
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
     labels.push_back(
       hachure::readLabels(vtkImageData::GetData(inputs, i), "cells " + std::to_string(i)));
   }
   std::vector<hachure::LabelView> views;
+  views.reserve(labels.size());
   for (const hachure::MetricLabels& label : labels)
   {
     views.push_back({ label.width, label.height, label.values });
@@ -316,6 +319,7 @@ void measureStippleSets(vtkInformationVector* inputs, const double window[4], bo
   MetricRows& rows, vtkTable* spectrum)
 {
   std::vector<std::vector<glm::dvec2>> sets;
+  sets.reserve(static_cast<std::size_t>(inputs->GetNumberOfInformationObjects()));
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
     sets.push_back(hachure::readPlanePoints(vtkPolyData::GetData(inputs, i)));

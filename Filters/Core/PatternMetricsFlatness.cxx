@@ -187,8 +187,10 @@ double spectralCentroid(const ImageView& image, const FourierTransform& transfor
   const double half = 0.5 * image.width;
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    const double x = static_cast<double>(i % size);
-    const double y = static_cast<double>(i / size);
+    const std::size_t column = i % size;
+    const std::size_t row = i / size;
+    const auto x = static_cast<double>(column);
+    const auto y = static_cast<double>(row);
     const double frequency =
       std::hypot(x > half ? x - image.width : x, y > half ? y - image.width : y) / image.width;
     if (frequency <= 0.5) // the same in all directions

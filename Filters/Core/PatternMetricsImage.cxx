@@ -50,8 +50,8 @@ MetricImage convolvedAndTransposed(const ImageView& image, const std::vector<flo
           float sum = 0.0f;
           for (int k = -radius; k <= radius; ++k)
           {
-            sum +=
-              weights[static_cast<std::size_t>(k + radius)] * row[std::clamp(x + k, 0, width - 1)];
+            const int tap = k + radius;
+            sum += weights[static_cast<std::size_t>(tap)] * row[std::clamp(x + k, 0, width - 1)];
           }
           result.values[static_cast<std::size_t>(x * static_cast<std::int64_t>(height) + y)] = sum;
         }

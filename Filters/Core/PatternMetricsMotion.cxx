@@ -234,8 +234,10 @@ StepImages prepareStep(const PatternClip& clip, std::size_t t, const MotionMetri
     if (images.usable[i] != 0)
     {
       const auto columns = static_cast<std::size_t>(motion.width);
-      const double x = static_cast<double>(i % columns) + motion.u[i];
-      const double y = static_cast<double>(i / columns) + motion.v[i];
+      const std::size_t column = i % columns;
+      const std::size_t row = i / columns;
+      const double x = static_cast<double>(column) + motion.u[i];
+      const double y = static_cast<double>(row) + motion.v[i];
       images.usable[i] = x >= margin && y >= margin && x <= motion.width - 1 - margin &&
           y <= motion.height - 1 - margin
         ? 1

@@ -74,6 +74,7 @@ std::vector<double> rowOfPowers(
     }
   }
   std::vector<double> powers;
+  powers.reserve(sums.size());
   for (const std::complex<double>& sum : sums)
   {
     powers.push_back(std::norm(sum) / static_cast<double>(points.size()));
@@ -125,8 +126,8 @@ void measureSpectrum(
       const auto ring = static_cast<std::size_t>(frequency * ringsPerPrincipal);
       if (ring < rings.size())
       {
-        const double power =
-          powers[static_cast<std::size_t>(y)][static_cast<std::size_t>(x + columns)];
+        const int column = x + columns;
+        const double power = powers[static_cast<std::size_t>(y)][static_cast<std::size_t>(column)];
         rings[ring].count += 1.0;
         rings[ring].power += power;
         rings[ring].squares += power * power;

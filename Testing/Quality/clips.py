@@ -92,6 +92,8 @@ def measure(frames, motions, tone=None, strokes=False):
     table = metrics.GetOutput()
     found = {table.GetValueByName(row, "Metric").ToString():
              table.GetValueByName(row, "Value").ToDouble() for row in range(table.GetNumberOfRows())}
+    if "NormalSlideRatio" not in found:
+        raise RuntimeError("the motion of this clip cannot be measured; see VTK's message")
     steps = metrics.GetOutput(1)
     slide = "NormalSlide" if strokes else "Slide"
     columns = {name: vtk_to_numpy(steps.GetColumnByName(name))[:len(frames) - 1]

@@ -11,7 +11,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
-SIDE = 160  # of the part of the pictures that is shown, in pixels
+SIDE = 160  # of the pictures at half the size, in pixels
 SHOWN = 6  # frames in a strip
 LEVELS = 15  # grey levels but one; few keep the page small
 
@@ -48,11 +48,10 @@ def png(values):
 
 
 def strip(pictures, title):
-    """The middle of some pictures, one after the other and again."""
+    """Some of the pictures at half the size, one after the other and again."""
     chosen = numpy.linspace(0, len(pictures) - 1, SHOWN).round().astype(int)
-    first = [(length - SIDE) // 2 for length in pictures[0].shape]
-    part = tuple(slice(max(a, 0), max(a, 0) + SIDE) for a in first)
-    address = png(numpy.hstack([pictures[i][part] for i in chosen]))
+    row = numpy.hstack([pictures[i] for i in chosen])
+    address = png(row.reshape(SIDE, 2, SIDE * SHOWN, 2).mean(axis=(1, 3)))
     return '<div class="strip six" title="%s" style="background-image:url(%s)"></div>' % (
         html.escape(title), address)
 

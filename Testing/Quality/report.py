@@ -109,7 +109,7 @@ EXPLANATION = (
     "Slide ratio: how far the pattern slides over the surface / how far the surface moves; 0 is fixed on "
     "the surface, 1 fixed in the image. For noise it holds all directions, for strokes only the one "
     "across them. Boil: what is left of the change from frame to frame after the best slide.",
-    "Strips show the middle of the pictures. Differences: a frame and the next one, moved back along "
+    "Strips show some pictures at half the size. Differences: a frame and the next one, moved back along "
     "the exact motion of the surface; white where a pattern sticks to it.",
 )
 

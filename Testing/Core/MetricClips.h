@@ -80,7 +80,9 @@ inline std::vector<float> drawInk(int size, const Ink& ink, const Move& toPlane)
       double sum = 0.0;
       for (int k = 0; k < fine * fine; ++k)
       {
-        const glm::dvec2 offset((k % fine + 0.5) / fine - 0.5, (k / fine + 0.5) / fine - 0.5);
+        const int column = k % fine;
+        const int row = k / fine;
+        const glm::dvec2 offset((column + 0.5) / fine - 0.5, (row + 0.5) / fine - 0.5);
         sum += ink(toPlane(glm::dvec2(i % size, i / size) + offset));
       }
       image[static_cast<std::size_t>(i)] = static_cast<float>(sum / (fine * fine));

@@ -92,7 +92,9 @@ TEST(PatternMetricsFlatness, CentroidOfAWaveIsItsFrequency)
   std::vector<float> wave;
   for (int i = 0; i < 64 * 64; ++i)
   {
-    const double phase = 2.0 * std::acos(-1.0) * (8.0 * (i % 64) + 6.0 * (i / 64)) / 64.0;
+    const int column = i % 64;
+    const int row = i / 64;
+    const double phase = 2.0 * std::acos(-1.0) * (8.0 * column + 6.0 * row) / 64.0;
     wave.push_back(static_cast<float>(0.5 + 0.4 * std::cos(phase)));
   }
   EXPECT_NEAR(spectralCentroid({ 64, 64, wave }, slowTransform), 10.0 / 64.0, 1e-3);

@@ -153,7 +153,9 @@ TEST(PatternMetricsStipples, OppositeEdgesMeetIfPeriodic)
   Points points;
   for (int i = 0; i < 16; ++i)
   {
-    points.emplace_back(0.125 + 0.25 * (i % 4), 0.125 + 0.25 * (i / 4));
+    const int column = i % 4;
+    const int row = i / 4;
+    points.emplace_back(0.125 + 0.25 * column, 0.125 + 0.25 * row);
   }
   points.emplace_back(0.001, 0.5);
   points.emplace_back(0.999, 0.5);

@@ -26,6 +26,7 @@ Clip constantClip()
 std::vector<std::int32_t> squares()
 {
   std::vector<std::int32_t> labels;
+  labels.reserve(static_cast<std::size_t>(size) * size);
   for (int i = 0; i < size * size; ++i)
   {
     labels.push_back(1 + (i % size) / 16 + 6 * ((i / size) / 16));

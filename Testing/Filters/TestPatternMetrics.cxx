@@ -16,10 +16,12 @@
 #include <vtkTestErrorObserver.h>
 #include <vtkVariant.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <string>
 
@@ -46,9 +48,11 @@ vtkSmartPointer<vtkImageData> makeImage(
   image->AllocateScalars(VTK_FLOAT, components);
   for (int i = 0; i < width * size; ++i)
   {
+    const int column = i % width;
+    const int row = i / width;
     for (int k = 0; k < components; ++k)
     {
-      image->GetPointData()->GetScalars()->SetComponent(i, k, value(i % width, i / width, k));
+      image->GetPointData()->GetScalars()->SetComponent(i, k, value(column, row, k));
     }
   }
   return image;
@@ -113,7 +117,7 @@ struct Scene
     const bool found = this->observer->GetError() &&
       this->observer->GetErrorMessage().find(message) != std::string::npos;
     return require(
-             found, "an error with '" + message + "', but: " + this->observer->GetErrorMessage()) &
+             found, "an error with '" + message + "', but: " + this->observer->GetErrorMessage()) &&
       require(this->metrics->GetOutput()->GetNumberOfRows() == 0, "no rows after an error");
   }
 };
@@ -156,8 +160,8 @@ bool measuresTones()
   scene.metrics->AddCells(makeImage(1, [](double x, double, int) { return x < 48 ? 1 : 2; }));
   scene.metrics->AddCells(makeImage(1, [](double x, double, int) { return x < 48 ? 1 : 2; }));
   scene.metrics->Update();
-  return require(!scene.observer->GetError(), "no error without motions") &
-    require(std::abs(scene.value("ToneError") - 0.1) < 0.01, "tone error") &
+  return require(!scene.observer->GetError(), "no error without motions") &&
+    require(std::abs(scene.value("ToneError") - 0.1) < 0.01, "tone error") &&
     require(scene.value("ToneFlicker") == 0.0, "no flicker");
 }
 
@@ -169,7 +173,9 @@ bool measuresStipples()
     vtkNew<vtkPoints> points;
     for (int i = 0; i < count; ++i)
     {
-      points->InsertNextPoint(i % 20 + 0.5, i / 20 + 0.5, 3.0);
+      const int column = i % 20;
+      const int row = i / 20;
+      points->InsertNextPoint(column + 0.5, row + 0.5, 3.0);
     }
     vtkNew<vtkPolyData> set;
     set->SetPoints(points);
@@ -179,8 +185,8 @@ bool measuresStipples()
   scene.metrics->PeriodicStipplesOn();
   scene.metrics->Update();
   // Squares of side 1: R = 2 at density 1 and sqrt 2 at density 1/2, on average.
-  return require(std::abs(scene.value("ClarkEvans") - 0.5 * (2.0 + std::sqrt(2.0))) < 1e-4, "R") &
-    require(scene.value("Nesting") == 1.0, "nesting") &
+  return require(std::abs(scene.value("ClarkEvans") - 0.5 * (2.0 + std::sqrt(2.0))) < 1e-4, "R") &&
+    require(scene.value("Nesting") == 1.0, "nesting") &&
     require(scene.metrics->GetOutput(2)->GetNumberOfRows() == 16, "a spectrum of 16 rings");
 }
 
@@ -241,8 +247,8 @@ bool fastMotionIsNoted()
 
 int TestPatternMetrics(int, char*[])
 {
-  return measuresClips() & measuresTones() & measuresStipples() & wrongInputIsRefused() &
-      fastMotionIsNoted()
-    ? EXIT_SUCCESS
-    : EXIT_FAILURE;
+  const bool good[] = { measuresClips(), measuresTones(), measuresStipples(), wrongInputIsRefused(),
+    fastMotionIsNoted() };
+  return std::all_of(std::begin(good), std::end(good), [](bool one) { return one; }) ? EXIT_SUCCESS
+                                                                                     : EXIT_FAILURE;
 }

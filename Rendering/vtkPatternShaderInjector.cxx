@@ -161,8 +161,7 @@ bool vtkPatternShaderInjector::PostReplaceShaderValues(
 
   std::string text = Section(lit ? "NormalLit" : "NormalUnlit") + Section(edges) +
     Section("ToneStart") + this->ToneText() +
-    (this->FlatPaper ? Section("FlatPaper") : std::string()) +
-    this->SurfaceText("FSImpl") +
+    (this->FlatPaper ? Section("FlatPaper") : std::string()) + this->SurfaceText("FSImpl") +
     (this->Stage == ATTRIBUTES ? Section("Attributes") + this->SurfaceText("Attribute")
                                : this->SurfaceText("Forward") + Section("Forward"));
   return this->Place(fragmentShader, beforeLight, Section("BeforeLight" + shading)) &&

@@ -42,7 +42,7 @@ public:
   vtkNew<vtkTextureObject> SurfaceNormal; ///< normal in view coordinates, packed into one float
   vtkNew<vtkTextureObject> SurfaceDepth;  ///< window depth
 
-  vtkNew<vtkTextureObject> SurfacePoint;  ///< model coordinates; w: packed normal of the triangle
+  vtkNew<vtkTextureObject> SurfacePoint;   ///< model coordinates; w: packed normal of the triangle
   vtkNew<vtkTextureObject> SurfaceTexture; ///< texture coordinates; z: 1 where there are some
   vtkNew<vtkTextureObject> SurfaceTextureSlopes; ///< their change along x (xy) and y (zw)
 

@@ -91,9 +91,10 @@ def test_ink_equals_tone():
         for pattern in (LAYER.HATCH, LAYER.CROSS_HATCH, LAYER.HALFTONE):
             style = style_of(motion, pattern, period=period)
             layer = style.GetLayer(0)
-            actor, _, window = stage(plane_data(with_coordinates), style)
+            actor, renderer, window = stage(plane_data(with_coordinates), style)
             for tilt in (0.0, 50.0):
                 actor.SetOrientation(tilt, 0.0, 0.0)
+                renderer.ResetCameraClippingRange()
                 for tone in (0.0, 0.07, 0.3, 0.6, 0.9, 1.0):
                     inks = []
                     layer.GetTone().SetConstant(tone)

@@ -6,9 +6,9 @@
  *
  * The image lies in the image plane and follows the surface patch by patch with a similarity of
  * the plane (Breslav et al. 2007), or stays fixed in the image, or it lies on the surface itself,
- * as a texture or as a dynamic solid texture (Benard, Bousseau, Thollot 2009). While the similarity's scale s,
- * wrapped into [1,2), goes from LodStart to LodEnd, the image at half the size takes over, so
- * that the size of the marks stays near Size at every zoom.
+ * as a texture or as a dynamic solid texture (Benard, Bousseau, Thollot 2009). While the
+ * similarity's scale s, wrapped into [1,2), goes from LodStart to LodEnd, the image at half the
+ * size takes over, so that the size of the marks stays near Size at every zoom.
  */
 
 #ifndef vtkImagePatternLayer_h
@@ -120,10 +120,10 @@ public:
   ///@}
 
   ///@{
-  /** Period of the pattern on the surface with TEXTURE and DYNAMIC_SOLID, or the width of the tile for
-   * IMAGE: in model units, with texture coordinates in theirs. Not below 0; default 0: the diagonal
-   * of the input's bounds, or 1 in texture coordinates, counts as 512 pixels of Size. Data that
-   * changes its bounds needs a period that is set, or the pattern grows with them. */
+  /** Period of the pattern on the surface with TEXTURE and DYNAMIC_SOLID, or the width of the tile
+   * for IMAGE: in model units, with texture coordinates in theirs. Not below 0; default 0: the
+   * diagonal of the input's bounds, or 1 in texture coordinates, counts as 512 pixels of Size. Data
+   * that changes its bounds needs a period that is set, or the pattern grows with them. */
   vtkSetClampMacro(SurfacePeriod, double, 0.0, 1e30);
   vtkGetMacro(SurfacePeriod, double);
   ///@}

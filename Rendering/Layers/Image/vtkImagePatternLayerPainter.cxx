@@ -203,13 +203,14 @@ void vtkImagePatternLayerPainter::UpdateTable(const Scene& scene)
   options.lodStart = std::min(this->Layer->GetLodStart(), 1.98);
   options.lodEnd = std::max(this->Layer->GetLodEnd(), options.lodStart + 0.01);
   const int motion = this->Layer->GetMotion();
-  options.lodBlending = motion == vtkImagePatternLayer::SIMILARITY ||
-    motion == vtkImagePatternLayer::DYNAMIC_SOLID;
+  options.lodBlending =
+    motion == vtkImagePatternLayer::SIMILARITY || motion == vtkImagePatternLayer::DYNAMIC_SOLID;
   int blocks = 1;
   if (motion == vtkImagePatternLayer::TEXTURE)
   {
     // From where it turns into grey: the size in the picture is known per pixel alone.
-    options.texelsPerPixelAtScale1 = tile.width / (tile.periods * double(hachure::glsl::flatPeriod));
+    options.texelsPerPixelAtScale1 =
+      tile.width / (tile.periods * double(hachure::glsl::flatPeriod));
     blocks = textureBlocks;
   }
   else if (motion == vtkImagePatternLayer::DYNAMIC_SOLID)
@@ -217,8 +218,9 @@ void vtkImagePatternLayerPainter::UpdateTable(const Scene& scene)
     blocks = solidBlocks;
   }
   const hachure::ToneTableOptions& old = this->Table.options;
-  if (this->TableTile == this->Tile && this->TableBlocks == blocks && old.lodStart == options.lodStart &&
-    old.lodEnd == options.lodEnd && old.lodBlending == options.lodBlending &&
+  if (this->TableTile == this->Tile && this->TableBlocks == blocks &&
+    old.lodStart == options.lodStart && old.lodEnd == options.lodEnd &&
+    old.lodBlending == options.lodBlending &&
     old.texelsPerPixelAtScale1 == options.texelsPerPixelAtScale1)
   {
     return;

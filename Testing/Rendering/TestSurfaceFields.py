@@ -7,6 +7,7 @@ import numpy
 import pattern_scene as scene
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLVertexBufferObject
 
 LAYER = hachure.vtkImagePatternLayer
 TEXTURE, SOLID = LAYER.TEXTURE, LAYER.DYNAMIC_SOLID
@@ -155,9 +156,12 @@ def test_far_from_the_origin():
     near = 0.53
     far = 2048.0 + near  # whole tiles, and a part of a period, so that it shows
     pictures = []
-    for shift in (near, far):
+    buffers = vtkOpenGLVertexBufferObject
+    methods = (buffers.DISABLE_SHIFT_SCALE, buffers.AUTO_SHIFT_SCALE)
+    for shift, method in zip((near, far), methods):
         data = plane_data(False, shift=shift, scale=0.1)
-        _, _, window = stage(data, style, center=shift, height=1.0)
+        actor, _, window = stage(data, style, center=shift, height=1.0)
+        actor.GetMapper().SetVBOShiftScaleMethod(method)
         pictures.append(scene.draw(window))
     # A float holds the position to a thirtieth of a pixel.
     changed = difference(*pictures)

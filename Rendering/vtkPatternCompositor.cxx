@@ -9,12 +9,15 @@
 #include "PatternCompose.h"
 #include "PatternField.h"
 #include "PatternLayer.h"
+#include "SurfacePattern.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternLayer.h"
 #include "vtkPatternStyle.h"
 #include "vtkPatternTone.h"
 #include "vtkPatternViewport.h"
 #include "vtkShaderProgram.h"
+
+#include <glm/gtc/matrix_access.hpp>
 
 #include <algorithm>
 
@@ -45,11 +48,9 @@ const char* BlendFunction(int mode)
 } // namespace
 
 void vtkPatternCompositor::Update(vtkPatternStyle* style, const vtkPatternToneChannels& channels,
-  vtkOpenGLRenderWindow* window, double pixelsPerLogical, std::string& error)
+  vtkOpenGLRenderWindow* window, const vtkPatternLayerPainter::Scene& scene, std::string& error)
 {
-  vtkPatternLayerPainter::Scene scene;
-  scene.PixelsPerLogical = pixelsPerLogical;
-  scene.DotsPerInch = style->GetDotsPerInch();
+  this->CurrentScene = scene;
   this->Layers.clear();
   std::map<vtkSmartPointer<vtkPatternLayer>, std::unique_ptr<vtkPatternLayerPainter>> kept;
   for (int i = 0; i < style->GetNumberOfLayers(); ++i)
@@ -104,6 +105,16 @@ std::string vtkPatternCompositor::GetNote() const
   return {};
 }
 
+vtkPatternLayerPainter::SurfaceNeed vtkPatternCompositor::GetSurfaceNeed() const
+{
+  auto need = vtkPatternLayerPainter::NOTHING;
+  for (const Drawn& layer : this->Layers)
+  {
+    need = std::max(need, layer.Painter->GetSurfaceNeed());
+  }
+  return need;
+}
+
 void vtkPatternCompositor::UpdateText()
 {
   std::string declarations;
@@ -121,7 +132,7 @@ void vtkPatternCompositor::UpdateText()
     declarations += declaration;
     calls += "  color = hachureLayer" + number + "(color, position, tones);\n";
   }
-  std::string text = std::string(Ink) + Mix + Lod + PatternField + PatternCompose;
+  std::string text = std::string(Ink) + Mix + Lod + PatternField + SurfacePattern + PatternCompose;
   vtkShaderProgram::Substitute(text, "//Hachure::Layers::Dec", declarations);
   vtkShaderProgram::Substitute(text, "  //Hachure::Layers::Impl", calls);
   this->ShaderText = text;
@@ -174,6 +185,7 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
   program->SetUniformi("hachureToneTables", this->Tables->GetTextureUnit());
   program->SetUniformf("hachureTableRows", static_cast<float>(this->TableRows));
 
+  this->SetSurfaceUniforms(program, viewport);
   std::size_t row = 0;
   for (std::size_t i = 0; i < this->Layers.size(); ++i)
   {
@@ -190,6 +202,25 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
     drawn.Painter->SetUniforms(program, number, frame, static_cast<double>(row));
     row += drawn.Painter->GetTableRows().size() / tableTones;
   }
+}
+
+void vtkPatternCompositor::SetSurfaceUniforms(
+  vtkShaderProgram* program, const vtkPatternViewport& viewport)
+{
+  if (this->GetSurfaceNeed() == vtkPatternLayerPainter::NOTHING)
+  {
+    return;
+  }
+  const std::pair<const char*, int> rows[] = { { "hachureClipX", 0 }, { "hachureClipY", 1 },
+    { "hachureClipW", 3 } };
+  for (const auto& row : rows)
+  {
+    const glm::vec4 values(glm::row(this->CurrentScene.ModelToClip, row.second));
+    program->SetUniform4f(row.first, &values.x);
+  }
+  const float size[2] = { 2.0f / static_cast<float>(viewport.Drawn[2]),
+    2.0f / static_cast<float>(viewport.Drawn[3]) };
+  program->SetUniform2f("hachureFragmentSize", size);
 }
 
 void vtkPatternCompositor::Activate()

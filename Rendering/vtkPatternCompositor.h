@@ -31,10 +31,13 @@ class vtkPatternCompositor
 public:
   /// Brings layers up to date; layers that cannot be drawn are left out and named in `error`.
   void Update(vtkPatternStyle* style, const vtkPatternToneChannels& channels,
-    vtkOpenGLRenderWindow* window, double pixelsPerLogical, std::string& error);
+    vtkOpenGLRenderWindow* window, const vtkPatternLayerPainter::Scene& scene, std::string& error);
 
   /// What the user should know about layers that are drawn all the same; empty where all is well.
   std::string GetNote() const;
+
+  /// What the layers must know of the surface: the most that one of them needs.
+  vtkPatternLayerPainter::SurfaceNeed GetSurfaceNeed() const;
 
   /// Functions and uniforms; defines hachureCompose() and hachureLogicalPosition().
   const std::string& GetShaderText() const { return this->ShaderText; }
@@ -56,6 +59,7 @@ private:
     int Channel = -1;
   };
   void UpdateText();
+  void SetSurfaceUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
   void UpdateTables(vtkOpenGLRenderWindow* window);
 
   std::map<vtkSmartPointer<vtkPatternLayer>, std::unique_ptr<vtkPatternLayerPainter>> Painters;
@@ -64,6 +68,7 @@ private:
   vtkNew<vtkTextureObject> Tables;
   std::vector<std::pair<vtkPatternLayerPainter*, unsigned long>> TableState;
   std::size_t TableRows = 0;
+  vtkPatternLayerPainter::Scene CurrentScene;
 };
 
 #endif

@@ -33,6 +33,8 @@
 #include "vtkSelection.h"
 #include "vtkShaderProgram.h"
 
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -53,6 +55,7 @@ struct vtkPatternMapper::Internals
 {
   vtkPatternToneChannels Channels;
   vtkTimeStamp ChannelTime;
+  bool UsesTextureCoordinates = false; // once needed, they stay in the vertex buffers
   std::map<vtkWindow*, WindowPart> Windows;
   vtkNew<vtkPatternShaderInjector> AttributeInjector;
   vtkNew<vtkPatternShaderInjector> ForwardInjector;
@@ -110,6 +113,21 @@ private:
   vtkPatternShaderInjector* Injector;
 };
 
+vtkPatternLayerPainter::Scene PainterScene(vtkRenderer* renderer, vtkActor* actor,
+  const vtkPatternViewport& viewport, vtkPatternStyle* style, const double bounds[6])
+{
+  const glm::dmat4 projection = vtkPattern::DrawnProjection(renderer);
+  const glm::dmat4 modelToView = vtkPattern::ModelView(renderer, actor);
+  vtkPatternLayerPainter::Scene scene;
+  scene.PixelsPerLogical = viewport.PixelsPerLogical;
+  scene.DotsPerInch = style->GetDotsPerInch();
+  scene.ModelToClip = projection * modelToView;
+  scene.PixelsPerModelUnit = 0.5 * viewport.Drawn[3] * std::abs(projection[1][1]) *
+    std::cbrt(std::abs(glm::determinant(glm::dmat3(modelToView))));
+  const vtkBoundingBox box(bounds);
+  scene.ModelDiagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
+  return scene;
+}
 } // namespace
 
 vtkPatternMapper::vtkPatternMapper()
@@ -314,6 +332,21 @@ void vtkPatternMapper::UpdateChannels()
   }
 }
 
+void vtkPatternMapper::UpdateTextureCoordinates(bool needed)
+{
+  if (needed && !this->Internal->UsesTextureCoordinates)
+  {
+    this->Internal->UsesTextureCoordinates = true;
+    this->Internal->ChannelTime.Modified();
+    this->Modified();
+  }
+}
+
+bool vtkPatternMapper::GetUsesTextureCoordinates() const
+{
+  return this->Internal->UsesTextureCoordinates;
+}
+
 void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   if (!this->GetInputAlgorithm())
@@ -342,8 +375,12 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   std::string error = this->Internal->ChannelError;
   WindowPart& part = this->Internal->Windows[window];
   part.Resources = vtkPatternWindowResources::Get(window);
-  part.Compositor.Update(
-    this->Style, this->Internal->Channels, window, viewport.PixelsPerLogical, error);
+  double bounds[6];
+  this->GetBounds(bounds);
+  part.Compositor.Update(this->Style, this->Internal->Channels, window,
+    PainterScene(renderer, actor, viewport, this->Style, bounds), error);
+  this->UpdateTextureCoordinates(
+    part.Compositor.GetSurfaceNeed() == vtkPatternLayerPainter::POINT_AND_TEXTURE);
   this->Report(error, this->Internal->ReportedStyle);
   const std::string note = part.Compositor.GetNote();
   if (!note.empty() && note != this->Internal->ReportedNote)
@@ -376,7 +413,7 @@ void vtkPatternMapper::RenderForward(Drawing& drawing)
   vtkPatternShaderInjector* injector = this->Internal->ForwardInjector;
   injector->Configure(vtkPatternShaderInjector::FORWARD, this->Internal->Channels,
     this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
-    drawing.Part.Compositor.GetShaderText());
+    drawing.Part.Compositor.GetSurfaceNeed(), drawing.Part.Compositor.GetShaderText());
   injector->UniformSetter = [&](vtkShaderProgram* program)
   {
     drawing.Part.Compositor.SetUniforms(
@@ -394,7 +431,7 @@ void vtkPatternMapper::RenderForward(Drawing& drawing)
 void vtkPatternMapper::RenderOpaque(Drawing& drawing)
 {
   vtkPatternWindowResources& resources = *drawing.Part.Resources;
-  if (!resources.Prepare(drawing.Window))
+  if (!resources.Prepare(drawing.Window, drawing.Part.Compositor.GetSurfaceNeed()))
   {
     this->Report("the window's OpenGL cannot draw to the attribute images; expected floating "
                  "point colour attachments (OpenGL 3.2)",
@@ -443,7 +480,8 @@ void vtkPatternMapper::DrawAttributes(Drawing& drawing)
 {
   vtkPatternShaderInjector* injector = this->Internal->AttributeInjector;
   injector->Configure(vtkPatternShaderInjector::ATTRIBUTES, this->Internal->Channels,
-    this->Style->GetPaperSource() == vtkPatternStyle::FLAT, std::string());
+    this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
+    drawing.Part.Compositor.GetSurfaceNeed(), std::string());
 
   vtkOpenGLState* state = drawing.Window->GetState();
   state->PushFramebufferBindings();
@@ -455,7 +493,7 @@ void vtkPatternMapper::DrawAttributes(Drawing& drawing)
     vtkOpenGLState::ScopedglDepthMask depthMask(state);
     drawing.Part.Resources->AttributeFramebuffer->Bind();
     drawing.Part.Resources->AttributeFramebuffer->ActivateDrawBuffers(
-      vtkPatternWindowResources::AttributeCount);
+      vtkPatternWindowResources::AttributeCount(drawing.Part.Compositor.GetSurfaceNeed()));
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(
       drawing.Rectangle[0], drawing.Rectangle[1], drawing.Rectangle[2], drawing.Rectangle[3]);

@@ -143,6 +143,8 @@ public:
     return this->Stage;
   }
   const class vtkPatternToneChannels& GetToneChannels() const;
+  /// Whether the vertex buffers hold texture coordinates for the style.
+  bool GetUsesTextureCoordinates() const;
   std::vector<hachure::PatternFrame> AnchoredFrames(const hachure::TrackedSamples& samples,
     const hachure::ViewProjection& view, vtkRenderer* renderer);
 #endif
@@ -167,6 +169,7 @@ private:
   struct Drawing;
   bool DrawsPatterns(vtkRenderer* renderer, vtkActor* actor);
   void UpdateChannels();
+  void UpdateTextureCoordinates(bool needed);
   void Report(const std::string& error, std::string& reported);
   void RenderOpaque(Drawing& drawing);
   void RenderForward(Drawing& drawing);

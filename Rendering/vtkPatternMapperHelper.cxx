@@ -10,15 +10,19 @@
 #include "vtkOpenGLCellToVTKCellMap.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPatternMapper.h"
 #include "vtkPatternTone.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSelection.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkPatternMapperHelper);
 
@@ -123,6 +127,7 @@ void vtkPatternMapperHelper::SetMapperShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
+  this->SetCoordinates(cellBO.Program);
   for (std::size_t i = 0; i < this->CellTones.size(); ++i)
   {
     const std::string name = "hachureCellTone" + std::to_string(i);
@@ -180,6 +185,53 @@ void vtkPatternMapperHelper::AppendPointTones(vtkPolyData* poly)
   }
 }
 
+void vtkPatternMapperHelper::AppendTextureCoordinates(vtkPolyData* poly)
+{
+  if (!this->GetMapper()->GetUsesTextureCoordinates())
+  {
+    return;
+  }
+  // Every block has the attribute, also one without texture coordinates.
+  vtkDataArray* given = poly->GetPointData()->GetTCoords();
+  const vtkIdType count = poly->GetNumberOfPoints();
+  const bool known = given && given->GetNumberOfTuples() == count;
+  const int components = known ? std::min(given->GetNumberOfComponents(), 2) : 0;
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(count);
+  for (vtkIdType point = 0; point < count; ++point)
+  {
+    double tuple[3] = { 0.0, 0.0, known ? 1.0 : 0.0 };
+    for (int i = 0; i < components; ++i)
+    {
+      tuple[i] = given->GetComponent(point, i);
+    }
+    coordinates->SetTuple(point, tuple);
+  }
+  this->VBOs->AppendDataArray("hachureTextureMC", coordinates, VTK_FLOAT);
+}
+
+void vtkPatternMapperHelper::SetCoordinates(vtkShaderProgram* program)
+{
+  if (!program->IsUniformUsed("hachureCoordScale"))
+  {
+    return;
+  }
+  float scale[3] = { 1.0f, 1.0f, 1.0f };
+  float shift[3] = { 0.0f, 0.0f, 0.0f };
+  vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO("vertexMC");
+  if (buffer && buffer->GetCoordShiftAndScaleEnabled())
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      scale[i] = static_cast<float>(1.0 / buffer->GetScale()[i]);
+      shift[i] = static_cast<float>(buffer->GetShift()[i]);
+    }
+  }
+  program->SetUniform3f("hachureCoordScale", scale);
+  program->SetUniform3f("hachureCoordShift", shift);
+}
+
 void vtkPatternMapperHelper::AppendCellTones(vtkPatternHelperData* data, int representation)
 {
   vtkPolyData* poly = vtkPatternHelperPolyData(data);
@@ -215,6 +267,7 @@ void vtkPatternMapperHelper::AppendOneBufferObject(vtkRenderer* renderer, vtkAct
   if (hasPoints && this->AppendedPoints.insert(poly->GetPoints()->GetData()).second)
   {
     this->AppendPointTones(poly);
+    this->AppendTextureCoordinates(poly);
   }
   this->Superclass::AppendOneBufferObject(renderer, actor, data, offset, colors, normals);
   if (hasPoints)

@@ -19,6 +19,7 @@
 
 class vtkOpenGLBufferObject;
 class vtkPatternMapper;
+class vtkShaderProgram;
 class vtkTextureObject;
 
 class vtkPatternMapperHelper : public vtkPatternHelperBase
@@ -52,6 +53,8 @@ private:
   vtkPatternMapper* GetMapper();
   void DrawSelection(vtkRenderer* renderer, vtkActor* actor);
   void AppendPointTones(vtkPolyData* poly);
+  void AppendTextureCoordinates(vtkPolyData* poly);
+  void SetCoordinates(vtkShaderProgram* program);
   void AppendCellTones(vtkPatternHelperData* data, int representation);
 
   std::array<CellTone, vtkPatternToneChannels::Maximum> CellTones;

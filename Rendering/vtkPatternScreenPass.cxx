@@ -6,6 +6,7 @@
 
 #include "PatternOutline.h"
 #include "PatternScreenFS.h"
+#include "PatternSurfaceImages.h"
 #include "vtkActor.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -39,6 +40,21 @@ std::string vtkPatternScreenPass::Text(
 {
   std::string text = PatternScreenFS;
   vtkShaderProgram::Substitute(text, "//Hachure::Compose::Dec", compositor.GetShaderText());
+  const auto need = compositor.GetSurfaceNeed();
+  std::string surfaceDec;
+  std::string surfaceImpl;
+  if (need >= vtkPatternLayerPainter::POINT)
+  {
+    surfaceDec += vtkPattern::ShaderSection(PatternSurfaceImages, "PointDec");
+    surfaceImpl += vtkPattern::ShaderSection(PatternSurfaceImages, "PointImpl");
+  }
+  if (need >= vtkPatternLayerPainter::POINT_AND_TEXTURE)
+  {
+    surfaceDec += vtkPattern::ShaderSection(PatternSurfaceImages, "TextureDec");
+    surfaceImpl += vtkPattern::ShaderSection(PatternSurfaceImages, "TextureImpl");
+  }
+  vtkShaderProgram::Substitute(text, "//Hachure::Surface::Dec", surfaceDec);
+  vtkShaderProgram::Substitute(text, "//Hachure::Surface::Impl", surfaceImpl);
   if (outline)
   {
     vtkShaderProgram::Substitute(
@@ -90,12 +106,15 @@ bool vtkPatternScreenPass::Draw(
     { "hachureSurfaceTone", resources.SurfaceTone },
     { "hachureSurfaceNormal", resources.SurfaceNormal },
     { "hachureSurfaceDepth", resources.SurfaceDepth },
+    { "hachureSurfacePoint", resources.SurfacePoint },
+    { "hachureSurfaceTexture", resources.SurfaceTexture },
+    { "hachureSurfaceTextureSlopes", resources.SurfaceTextureSlopes },
   };
   for (const auto& image : images)
   {
-    image.second->Activate();
-    if (program->IsUniformUsed(image.first)) // the normal serves the outline alone
+    if (program->IsUniformUsed(image.first)) // the normal, for example, serves the outline alone
     {
+      image.second->Activate();
       program->SetUniformi(image.first, image.second->GetTextureUnit());
     }
   }
@@ -105,7 +124,10 @@ bool vtkPatternScreenPass::Draw(
   compositor.Deactivate();
   for (const auto& image : images)
   {
-    image.second->Deactivate();
+    if (program->IsUniformUsed(image.first))
+    {
+      image.second->Deactivate();
+    }
   }
   return true;
 }

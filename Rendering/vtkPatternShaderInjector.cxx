@@ -36,16 +36,17 @@ const char* const output = "//Hachure::Output";
 } // namespace
 
 void vtkPatternShaderInjector::Configure(StageType stage, const vtkPatternToneChannels& channels,
-  bool flatPaper, const std::string& composeText)
+  bool flatPaper, vtkPatternLayerPainter::SurfaceNeed need, const std::string& composeText)
 {
   if (this->ConfigureTime.GetMTime() > 0 && stage == this->Stage && channels == this->Channels &&
-    flatPaper == this->FlatPaper && composeText == this->ComposeText)
+    flatPaper == this->FlatPaper && need == this->Need && composeText == this->ComposeText)
   {
     return;
   }
   this->Stage = stage;
   this->Channels = channels;
   this->FlatPaper = flatPaper;
+  this->Need = need;
   this->ComposeText = composeText;
   this->ConfigureTime.Modified();
 }
@@ -63,14 +64,28 @@ bool vtkPatternShaderInjector::Place(
   return true;
 }
 
+std::string vtkPatternShaderInjector::SurfaceText(const std::string& ending) const
+{
+  std::string text;
+  if (this->Need >= vtkPatternLayerPainter::POINT)
+  {
+    text += Section("Point" + ending);
+  }
+  if (this->Need >= vtkPatternLayerPainter::POINT_AND_TEXTURE)
+  {
+    text += Section("Texture" + ending);
+  }
+  return text;
+}
+
 bool vtkPatternShaderInjector::PreReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  std::string vertexDec;
-  std::string vertexImpl;
-  std::string geometryDec;
-  std::string geometryImpl;
-  std::string fragmentDec = Section("Dec") + this->ComposeText;
+  std::string vertexDec = this->SurfaceText("VSDec");
+  std::string vertexImpl = this->SurfaceText("VSImpl");
+  std::string geometryDec = this->SurfaceText("GSDec");
+  std::string geometryImpl = this->SurfaceText("GSImpl");
+  std::string fragmentDec = Section("Dec") + this->ComposeText + this->SurfaceText("FSDec");
   const auto& channels = this->Channels.Get();
   for (std::size_t i = 0; i < channels.size(); ++i)
   {
@@ -146,8 +161,9 @@ bool vtkPatternShaderInjector::PostReplaceShaderValues(
 
   std::string text = Section(lit ? "NormalLit" : "NormalUnlit") + Section(edges) +
     Section("ToneStart") + this->ToneText() +
-    (this->FlatPaper ? Section("FlatPaper") : std::string()) +
-    Section(this->Stage == ATTRIBUTES ? "Attributes" : "Forward");
+    (this->FlatPaper ? Section("FlatPaper") : std::string()) + this->SurfaceText("FSImpl") +
+    (this->Stage == ATTRIBUTES ? Section("Attributes") + this->SurfaceText("Attribute")
+                               : this->SurfaceText("Forward") + Section("Forward"));
   return this->Place(fragmentShader, beforeLight, Section("BeforeLight" + shading)) &&
     this->Place(fragmentShader, afterLight, Section("AfterLight" + shading)) &&
     this->Place(fragmentShader, output, text);

@@ -11,6 +11,7 @@
 #define vtkPatternShaderInjector_h
 
 #include "vtkOpenGLRenderPass.h"
+#include "vtkPatternLayerPainter.h"
 #include "vtkPatternToneChannels.h"
 
 #include <functional>
@@ -31,7 +32,7 @@ public:
 
   /// What to inject; a change makes VTK build the shader anew.
   void Configure(StageType stage, const vtkPatternToneChannels& channels, bool flatPaper,
-    const std::string& composeText);
+    vtkPatternLayerPainter::SurfaceNeed need, const std::string& composeText);
 
   /// Sets the values of our uniforms whenever a program is used.
   std::function<void(vtkShaderProgram*)> UniformSetter;
@@ -52,10 +53,13 @@ protected:
 private:
   bool Place(std::string& shader, const std::string& tag, const std::string& text);
   std::string ToneText() const;
+  /// The pieces of what the layers need of the surface: sections with this ending.
+  std::string SurfaceText(const std::string& ending) const;
 
   StageType Stage = ATTRIBUTES;
   vtkPatternToneChannels Channels;
   bool FlatPaper = false;
+  vtkPatternLayerPainter::SurfaceNeed Need = vtkPatternLayerPainter::NOTHING;
   std::string ComposeText;
   vtkTimeStamp ConfigureTime;
 };

@@ -7,6 +7,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
+#include <algorithm>
 #include <map>
 
 std::shared_ptr<vtkPatternWindowResources> vtkPatternWindowResources::Get(
@@ -22,19 +23,36 @@ std::shared_ptr<vtkPatternWindowResources> vtkPatternWindowResources::Get(
   return resources;
 }
 
-bool vtkPatternWindowResources::Prepare(vtkOpenGLRenderWindow* window)
+unsigned int vtkPatternWindowResources::AttributeCount(vtkPatternLayerPainter::SurfaceNeed need)
+{
+  switch (need)
+  {
+    case vtkPatternLayerPainter::POINT:
+      return 4;
+    case vtkPatternLayerPainter::POINT_AND_TEXTURE:
+      return 6;
+    default:
+      return 3;
+  }
+}
+
+bool vtkPatternWindowResources::Prepare(
+  vtkOpenGLRenderWindow* window, vtkPatternLayerPainter::SurfaceNeed need)
 {
   const int* size = window->GetActualSize();
   const auto width = static_cast<unsigned int>(size[0]);
   const auto height = static_cast<unsigned int>(size[1]);
   if (this->SurfaceColor->GetHandle() && this->SurfaceColor->GetWidth() == width &&
-    this->SurfaceColor->GetHeight() == height)
+    this->SurfaceColor->GetHeight() == height && need <= this->Need)
   {
     return true;
   }
   this->ReleaseGraphicsResources(window);
-  for (vtkTextureObject* texture : { this->SurfaceColor.Get(), this->SurfaceTone.Get(),
-         this->SurfaceNormal.Get(), this->SurfaceDepth.Get() })
+  this->Need = std::max(this->Need, need);
+  const unsigned int count = AttributeCount(this->Need);
+  vtkTextureObject* const images[] = { this->SurfaceColor, this->SurfaceTone, this->SurfaceNormal,
+    this->SurfacePoint, this->SurfaceTexture, this->SurfaceTextureSlopes, this->SurfaceDepth };
+  for (vtkTextureObject* texture : images)
   {
     texture->SetContext(window);
     texture->SetMinificationFilter(vtkTextureObject::Nearest);
@@ -43,17 +61,22 @@ bool vtkPatternWindowResources::Prepare(vtkOpenGLRenderWindow* window)
   this->SurfaceColor->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR);
   this->SurfaceTone->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR);
   this->SurfaceNormal->Allocate2D(width, height, 1, VTK_FLOAT);
+  for (unsigned int i = AttributeCount(vtkPatternLayerPainter::NOTHING); i < count; ++i)
+  {
+    images[i]->Allocate2D(width, height, 4, VTK_FLOAT);
+  }
   this->SurfaceDepth->AllocateDepth(width, height, vtkTextureObject::Fixed32);
 
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   this->AttributeFramebuffer->SetContext(window);
   this->AttributeFramebuffer->Bind();
-  this->AttributeFramebuffer->AddColorAttachment(0, this->SurfaceColor);
-  this->AttributeFramebuffer->AddColorAttachment(1, this->SurfaceTone);
-  this->AttributeFramebuffer->AddColorAttachment(2, this->SurfaceNormal);
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    this->AttributeFramebuffer->AddColorAttachment(i, images[i]);
+  }
   this->AttributeFramebuffer->AddDepthAttachment(this->SurfaceDepth);
-  this->AttributeFramebuffer->ActivateDrawBuffers(AttributeCount);
+  this->AttributeFramebuffer->ActivateDrawBuffers(count);
   const bool complete = this->AttributeFramebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER) != 0;
   state->PopFramebufferBindings();
   return complete;
@@ -97,6 +120,9 @@ void vtkPatternWindowResources::ReleaseGraphicsResources(vtkWindow* window)
   this->SurfaceColor->ReleaseGraphicsResources(window);
   this->SurfaceTone->ReleaseGraphicsResources(window);
   this->SurfaceNormal->ReleaseGraphicsResources(window);
+  this->SurfacePoint->ReleaseGraphicsResources(window);
+  this->SurfaceTexture->ReleaseGraphicsResources(window);
+  this->SurfaceTextureSlopes->ReleaseGraphicsResources(window);
   this->SurfaceDepth->ReleaseGraphicsResources(window);
   this->DepthSize = { 0, 0 };
 }

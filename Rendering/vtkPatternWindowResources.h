@@ -9,6 +9,7 @@
 
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
+#include "vtkPatternLayerPainter.h"
 #include "vtkTextureObject.h"
 
 #include <array>
@@ -23,9 +24,9 @@ public:
   /// The resources of a window; they live as long as someone holds them.
   static std::shared_ptr<vtkPatternWindowResources> Get(vtkOpenGLRenderWindow* window);
 
-  /// Makes the attribute images as large as the window's framebuffer. False where the framebuffer
-  /// cannot be made.
-  bool Prepare(vtkOpenGLRenderWindow* window);
+  /// Makes the attribute images, with those that layers on the surface need, as large as the
+  /// window's framebuffer. False where the framebuffer cannot be made.
+  bool Prepare(vtkOpenGLRenderWindow* window, vtkPatternLayerPainter::SurfaceNeed need);
 
   /// Copies a rectangle (x, y, width, height) of the depth of the framebuffer that is drawn to.
   vtkTextureObject* CaptureDepth(
@@ -33,14 +34,20 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  static constexpr unsigned int AttributeCount = 3; ///< colour attachments
+  /// Colour attachments that are drawn to.
+  static unsigned int AttributeCount(vtkPatternLayerPainter::SurfaceNeed need);
   vtkNew<vtkOpenGLFramebufferObject> AttributeFramebuffer;
   vtkNew<vtkTextureObject> SurfaceColor;  ///< display-referred colour; alpha: 1 - half drawn edge
   vtkNew<vtkTextureObject> SurfaceTone;   ///< tones of three channels; alpha: 0 without data
   vtkNew<vtkTextureObject> SurfaceNormal; ///< normal in view coordinates, packed into one float
   vtkNew<vtkTextureObject> SurfaceDepth;  ///< window depth
 
+  vtkNew<vtkTextureObject> SurfacePoint;   ///< model coordinates; w: packed normal of the triangle
+  vtkNew<vtkTextureObject> SurfaceTexture; ///< texture coordinates; z: 1 where there are some
+  vtkNew<vtkTextureObject> SurfaceTextureSlopes; ///< their change along x (xy) and y (zw)
+
 private:
+  vtkPatternLayerPainter::SurfaceNeed Need = vtkPatternLayerPainter::NOTHING; // of the images made
   vtkNew<vtkOpenGLFramebufferObject> DepthFramebuffer;
   std::array<int, 2> DepthSize = { 0, 0 };
 };

@@ -28,6 +28,7 @@ using namespace glm;
 #include "Kernels/Mix.glsl"
 #include "Kernels/Lod.glsl"
 #include "Kernels/PatternField.glsl"
+#include "Kernels/SurfacePattern.glsl"
 // clang-format on
 } // namespace
 } // namespace hachure::glsl

@@ -12,19 +12,6 @@ uniform vec4 hachureDepthToView;    // view z = (x - ndc * y) / (ndc * z - w), n
 uniform vec4 hachureFragmentToView; // view xy (perspective: at unit depth): fragment * xy + zw
 uniform vec4 hachureViewport;       // first and last pixels of the viewport
 
-vec3 hachureUnpackNormal(float coded)
-{
-  float x = floor(coded / 4096.0);
-  vec2 p = vec2(x, coded - x * 4096.0) / 4095.0 * 2.0 - 1.0;
-  vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
-  if (n.z < 0.0)
-  {
-    n = vec3((1.0 - abs(n.y)) * (n.x < 0.0 ? -1.0 : 1.0),
-      (1.0 - abs(n.x)) * (n.y < 0.0 ? -1.0 : 1.0), n.z);
-  }
-  return normalize(n);
-}
-
 // What one pixel knows of its surroundings.
 struct HachurePlane
 {

@@ -12,6 +12,8 @@ uniform sampler2D hachureSurfaceDepth;  // window depth, 1 where nothing was dra
 
 //Hachure::Compose::Dec
 
+//Hachure::Surface::Dec
+
 //Hachure::Outline::Dec
 
 void main()
@@ -26,6 +28,7 @@ void main()
   }
   vec4 data = texelFetch(hachureSurfaceTone, pixel, 0);
   vec3 tones = data.a > 0.5 ? data.rgb : vec3(-1.0);
+  //Hachure::Surface::Impl
   vec3 color = hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), surface.rgb, tones);
   //Hachure::Outline::Impl
   // Edges that VTK drew lie over the pattern.

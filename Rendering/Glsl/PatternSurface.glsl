@@ -26,6 +26,38 @@ uniform samplerBuffer hachureCellToneK; // per primitive: tone before clamping, 
 //Section ToneLitColor
   hachureTone[K] = clamp(1.0 - hachureLuma(gl_FragData[0].rgb), 0.0, 1.0);
 
+//Section PointVSDec
+uniform vec3 hachureCoordScale; // from VTK's vertex buffer to model coordinates
+uniform vec3 hachureCoordShift;
+out vec3 hachurePointVSOutput;
+//Section PointVSImpl
+  hachurePointVSOutput = vertexMC.xyz * hachureCoordScale + hachureCoordShift;
+//Section PointGSDec
+in vec3 hachurePointVSOutput[];
+out vec3 hachurePointGSOutput;
+//Section PointGSImpl
+  hachurePointGSOutput = hachurePointVSOutput[i];
+//Section PointFSDec
+in vec3 hachurePointVSOutput;
+//Section PointFSImpl
+  vec3 hachureFacetNormal = cross(dFdx(hachurePointVSOutput), dFdy(hachurePointVSOutput));
+  hachureFacetNormal /= max(length(hachureFacetNormal), 1e-30);
+//Section TextureVSDec
+in vec3 hachureTextureMC; // z: 1 where the block has texture coordinates
+out vec3 hachureTextureVSOutput;
+//Section TextureVSImpl
+  hachureTextureVSOutput = hachureTextureMC;
+//Section TextureGSDec
+in vec3 hachureTextureVSOutput[];
+out vec3 hachureTextureGSOutput;
+//Section TextureGSImpl
+  hachureTextureGSOutput = hachureTextureVSOutput[i];
+//Section TextureFSDec
+in vec3 hachureTextureVSOutput;
+//Section TextureFSImpl
+  vec4 hachureTextureChange =
+    vec4(dFdx(hachureTextureVSOutput.st), dFdy(hachureTextureVSOutput.st));
+
 //Section Dec
 float hachureLuma(vec3 color)
 {
@@ -82,6 +114,15 @@ float hachurePackNormal(vec3 n)
   bool hachureHasData = min(hachureTone.x, min(hachureTone.y, hachureTone.z)) >= 0.0;
   gl_FragData[1] = vec4(hachureTone, hachureHasData ? 1.0 : 0.0);
   gl_FragData[2] = vec4(hachurePackNormal(hachureNormal), 0.0, 0.0, 1.0);
+//Section PointAttribute
+  gl_FragData[3] = vec4(hachurePointVSOutput, hachurePackNormal(hachureFacetNormal));
+//Section TextureAttribute
+  gl_FragData[4] = vec4(hachureTextureVSOutput, 1.0);
+  gl_FragData[5] = hachureTextureChange;
+//Section PointForward
+  hachureSeeSurface(hachurePointVSOutput, hachureFacetNormal);
+//Section TextureForward
+  hachureSeeTexture(hachureTextureVSOutput, hachureTextureChange);
 //Section Forward
   gl_FragData[0].rgb = mix(
     fromLinear(

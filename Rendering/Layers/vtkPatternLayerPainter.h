@@ -10,6 +10,8 @@
 
 #include "PatternTracker.h"
 
+#include <glm/mat4x4.hpp>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,6 +34,9 @@ public:
   {
     double PixelsPerLogical = 1.0;
     double DotsPerInch = 96.0;
+    glm::dmat4 ModelToClip = glm::dmat4(1.0);
+    double PixelsPerModelUnit = 1.0; // of the framebuffer, where clip w is 1
+    double ModelDiagonal = 1.0;      // of the input's bounds; 0 where there are none
   };
 
   /// Brings textures and tables up to date. Returns false, with the reason in `error`, where the
@@ -40,6 +45,15 @@ public:
 
   /// What the user should know about a layer that is drawn all the same; empty where all is well.
   virtual std::string GetNote() const { return {}; }
+
+  /// What the layer must know of the surface, beyond where it lies in the picture.
+  enum SurfaceNeed
+  {
+    NOTHING,
+    POINT,
+    POINT_AND_TEXTURE // coordinates, where the surface has them
+  };
+  virtual SurfaceNeed GetSurfaceNeed() const { return NOTHING; }
 
   /// Declarations with '@' for the layer's number; they define
   /// float hachureCoverage@(vec2 position, float tone).

@@ -81,7 +81,8 @@ def test_every_parameter_survives():
     layer.SetSizeUnit(layer.MILLIMETRES)
     layer.SetAngle(-30.5)
     layer.SetIrregularity(0.25)
-    layer.SetMotion(layer.FIXED_IN_IMAGE)
+    layer.SetMotion(layer.DYNAMIC_SOLID)
+    layer.SetSurfacePeriod(0.125)
     layer.SetLodStart(1.1)
     layer.SetLodEnd(1.9)
     style.AddLayer(layer)
@@ -124,6 +125,21 @@ def test_every_parameter_survives():
     assert text["layers"][0]["field"]["size"] == {"mm": 0.6, "dpi": 300}
     assert text["layers"][1]["field"]["size"] == {"px": 8}
     assert '"opacity" : 0.35' in shortened(style), style.ToJson()
+
+
+def test_names_of_motions():
+    names = ("similarity", "fixedInImage", "texture", "dynamicSolid")
+    for value, name in enumerate(names):
+        style = new_style()
+        assert style.FromJson(document('"field": {"motion": "%s"}' % name)), errors
+        assert style.GetLayer(0).GetMotion() == value, name
+        assert json.loads(style.ToJson())["layers"][0]["field"]["motion"] == name
+    expect_error(
+        new_style().FromJson(document('"field": {"motion": "solid"}')),
+        'layers[0].field.motion: unknown "solid"', "dynamicSolid")
+    expect_error(
+        new_style().FromJson(document('"field": {"surfacePeriod": -1}')),
+        "layers[0].field.surfacePeriod: -1 is out of range")
 
 
 def shortened(style):
@@ -256,6 +272,7 @@ def test_presets():
 
 
 test_every_parameter_survives()
+test_names_of_motions()
 test_absent_keys_are_defaults()
 test_wrong_styles()
 with tempfile.TemporaryDirectory() as temporary:

@@ -81,8 +81,10 @@ void vtkImagePatternLayer::DescribeField(hachure::StyleArchive& archive)
     { this->GetAngleMinValue(), this->GetAngleMaxValue() });
   archive.number("irregularity", this, &Self::GetIrregularity, &Self::SetIrregularity,
     { this->GetIrregularityMinValue(), this->GetIrregularityMaxValue() });
-  archive.choice(
-    "motion", this, &Self::GetMotion, &Self::SetMotion, { "similarity", "fixedInImage" });
+  archive.choice("motion", this, &Self::GetMotion, &Self::SetMotion,
+    { "similarity", "fixedInImage", "texture", "dynamicSolid" });
+  archive.number("surfacePeriod", this, &Self::GetSurfacePeriod, &Self::SetSurfacePeriod,
+    { this->GetSurfacePeriodMinValue(), this->GetSurfacePeriodMaxValue() });
   archive.number("lodStart", this, &Self::GetLodStart, &Self::SetLodStart,
     { this->GetLodStartMinValue(), this->GetLodStartMaxValue() });
   archive.number("lodEnd", this, &Self::GetLodEnd, &Self::SetLodEnd,
@@ -101,6 +103,7 @@ void vtkImagePatternLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Angle: " << this->Angle << "\n";
   os << indent << "Irregularity: " << this->Irregularity << "\n";
   os << indent << "Motion: " << this->Motion << "\n";
+  os << indent << "SurfacePeriod: " << this->SurfacePeriod << "\n";
   os << indent << "LodStart: " << this->LodStart << "\n";
   os << indent << "LodEnd: " << this->LodEnd << "\n";
 }

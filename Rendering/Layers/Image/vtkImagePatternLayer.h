@@ -5,9 +5,10 @@
  * @brief a layer whose field is a tileable image: hatching, a halftone screen, any picture
  *
  * The image lies in the image plane and follows the surface patch by patch with a similarity of
- * the plane (Breslav et al. 2007), or stays fixed in the image. While the similarity's scale s,
- * wrapped into [1,2), goes from LodStart to LodEnd, the image at half the size takes over, so
- * that the size of the marks stays near Size at every zoom.
+ * the plane (Breslav et al. 2007), or stays fixed in the image, or it lies on the surface itself,
+ * as a texture or as a dynamic solid texture (Benard, Bousseau, Thollot 2009). While the
+ * similarity's scale s, wrapped into [1,2), goes from LodStart to LodEnd, the image at half the
+ * size takes over, so that the size of the marks stays near Size at every zoom.
  */
 
 #ifndef vtkImagePatternLayer_h
@@ -37,11 +38,23 @@ public:
     IMAGE = 3
   };
 
-  /** SIMILARITY: the pattern follows the surface. FIXED_IN_IMAGE: it stays where it is. */
+  /**
+   * SIMILARITY: the pattern follows the surface. FIXED_IN_IMAGE: it stays where it is.
+   *
+   * TEXTURE: it lies on the surface by the active texture coordinates of the points, elsewhere
+   * projected along the three axes of the model and mixed near their diagonals. DYNAMIC_SOLID: it
+   * is projected in the same way, and doubles or halves with the distance, octave by octave
+   * between LodStart and LodEnd, so that the marks stay near Size.
+   *
+   * With the last two, the ink of an even tone is exact for ruled lines at any tilt, and for other
+   * patterns where the surface faces the viewer; under 2 pixels per period it is an even grey.
+   */
   enum MotionType
   {
     SIMILARITY = 0,
-    FIXED_IN_IMAGE = 1
+    FIXED_IN_IMAGE = 1,
+    TEXTURE = 2,
+    DYNAMIC_SOLID = 3
   };
 
   const char* GetTypeName() override { return "image"; }
@@ -102,8 +115,17 @@ public:
 
   ///@{
   /** How the pattern moves, one of MotionType; default SIMILARITY. */
-  vtkSetClampMacro(Motion, int, SIMILARITY, FIXED_IN_IMAGE);
+  vtkSetClampMacro(Motion, int, SIMILARITY, DYNAMIC_SOLID);
   vtkGetMacro(Motion, int);
+  ///@}
+
+  ///@{
+  /** Period of the pattern on the surface with TEXTURE and DYNAMIC_SOLID, or the width of the tile
+   * for IMAGE: in model units, with texture coordinates in theirs. Not below 0; default 0: the
+   * diagonal of the input's bounds, or 1 in texture coordinates, counts as 512 pixels of Size. Data
+   * that changes its bounds needs a period that is set, or the pattern grows with them. */
+  vtkSetClampMacro(SurfacePeriod, double, 0.0, 1e30);
+  vtkGetMacro(SurfacePeriod, double);
   ///@}
 
   ///@{
@@ -139,6 +161,7 @@ private:
   double Angle = 45.0;
   double Irregularity = 0.0;
   int Motion = SIMILARITY;
+  double SurfacePeriod = 0.0;
   double LodStart = 1.3;
   double LodEnd = 1.7;
 };

@@ -6,6 +6,7 @@
 
 #include "ImagePatternLayer.h"
 #include "Kernels.h"
+#include "SurfacePatternLayer.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkImagePatternLayer.h"
@@ -13,6 +14,7 @@
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <map>
@@ -31,6 +33,13 @@ constexpr int tileSize = 512;
 constexpr int tilePeriods = 16;
 constexpr int ruledSize = 256;
 constexpr int ruledPeriods = 8;
+
+// Tone tables of patterns on the surface, one per octave: as SurfacePatternLayer.glsl has it.
+constexpr int textureBlocks = 5;
+constexpr int solidBlocks = 3;
+// Pixels of Size that the whole object counts as, where no period on the surface is given.
+constexpr double wholeInPixels = 512.0;
+constexpr double radiansPerDegree = 3.14159265358979323846 / 180.0;
 
 Mips MakeTile(const TileKey& key)
 {
@@ -104,7 +113,21 @@ vtkImagePatternLayerPainter::vtkImagePatternLayerPainter(vtkImagePatternLayer* l
 
 const char* vtkImagePatternLayerPainter::GetDeclarations() const
 {
-  return ImagePatternLayer;
+  return this->OnSurface() ? SurfacePatternLayer : ImagePatternLayer;
+}
+
+bool vtkImagePatternLayerPainter::OnSurface() const
+{
+  return this->Layer && this->Layer->GetMotion() >= vtkImagePatternLayer::TEXTURE;
+}
+
+vtkPatternLayerPainter::SurfaceNeed vtkImagePatternLayerPainter::GetSurfaceNeed() const
+{
+  if (!this->OnSurface())
+  {
+    return NOTHING;
+  }
+  return this->Layer->GetMotion() == vtkImagePatternLayer::TEXTURE ? POINT_AND_TEXTURE : POINT;
 }
 
 std::string vtkImagePatternLayerPainter::GetNote() const
@@ -179,17 +202,48 @@ void vtkImagePatternLayerPainter::UpdateTable(const Scene& scene)
   options.texelsPerPixelAtScale1 = tile.width / (tile.periods * this->Period);
   options.lodStart = std::min(this->Layer->GetLodStart(), 1.98);
   options.lodEnd = std::max(this->Layer->GetLodEnd(), options.lodStart + 0.01);
-  options.lodBlending = this->Layer->GetMotion() == vtkImagePatternLayer::SIMILARITY;
+  const int motion = this->Layer->GetMotion();
+  options.lodBlending =
+    motion == vtkImagePatternLayer::SIMILARITY || motion == vtkImagePatternLayer::DYNAMIC_SOLID;
+  int blocks = 1;
+  if (motion == vtkImagePatternLayer::TEXTURE)
+  {
+    // From where it turns into grey: the size in the picture is known per pixel alone.
+    options.texelsPerPixelAtScale1 =
+      tile.width / (tile.periods * double(hachure::glsl::flatPeriod));
+    blocks = textureBlocks;
+  }
+  else if (motion == vtkImagePatternLayer::DYNAMIC_SOLID)
+  {
+    blocks = solidBlocks;
+  }
   const hachure::ToneTableOptions& old = this->Table.options;
-  if (this->TableTile == this->Tile && old.lodStart == options.lodStart &&
-    old.lodEnd == options.lodEnd && old.lodBlending == options.lodBlending &&
+  if (this->TableTile == this->Tile && this->TableBlocks == blocks &&
+    old.lodStart == options.lodStart && old.lodEnd == options.lodEnd &&
+    old.lodBlending == options.lodBlending &&
     old.texelsPerPixelAtScale1 == options.texelsPerPixelAtScale1)
   {
     return;
   }
   this->Table = hachure::buildToneTable(*this->Tile, options);
+  this->BuildTables(blocks);
   this->TableTile = this->Tile;
   ++this->TableVersion;
+}
+
+void vtkImagePatternLayerPainter::BuildTables(int blocks)
+{
+  this->TableBlocks = blocks;
+  this->TableRows = this->Table.threshold;
+  hachure::ToneTableOptions options = this->Table.options;
+  // A texture comes nearer from block to block, a solid texture is seen more obliquely.
+  const double step = options.lodBlending ? 2.0 : 0.5;
+  for (int block = 1; block < blocks; ++block)
+  {
+    options.texelsPerPixelAtScale1 *= step;
+    const hachure::ToneTable next = hachure::buildToneTable(*this->Tile, options);
+    this->TableRows.insert(this->TableRows.end(), next.threshold.begin(), next.threshold.end());
+  }
 }
 
 void vtkImagePatternLayerPainter::Upload(vtkOpenGLRenderWindow* window)
@@ -236,6 +290,12 @@ void vtkImagePatternLayerPainter::Upload(vtkOpenGLRenderWindow* window)
 void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const std::string& number,
   const hachure::PatternFrame& frame, double firstTableRow)
 {
+  program->SetUniformi(("hachureTile" + number).c_str(), this->Texture->GetTextureUnit());
+  if (this->OnSurface())
+  {
+    this->SetSurfaceUniforms(program, number, firstTableRow);
+    return;
+  }
   const bool tracked = this->Layer->GetMotion() == vtkImagePatternLayer::SIMILARITY;
   const glm::dvec2 u = tracked ? frame.u : glm::dvec2(1.0, 0.0);
   const glm::dvec2 origin = tracked ? frame.origin : glm::dvec2(0.0);
@@ -246,7 +306,6 @@ void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const s
   const float blend = tracked ? hachure::glsl::lodBlend(scale, lodStart, lodEnd) : 0.0f;
 
   // uv = R(-angle) (position - origin) / size of the tile in logical pixels.
-  constexpr double radiansPerDegree = 3.14159265358979323846 / 180.0;
   const double angle = std::atan2(u.y, u.x) + this->Layer->GetAngle() * radiansPerDegree;
   const hachure::PatternTile& tile = this->Tile->front();
   const double width = scale * tile.periods * this->Period / this->CurrentScene.PixelsPerLogical;
@@ -270,7 +329,52 @@ void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const s
     hachure::glsl::flatShare(scale, blend, static_cast<float>(this->Period)),
     static_cast<float>(firstTableRow) + row };
   program->SetUniform4f(("hachureOctave" + number).c_str(), octave);
-  program->SetUniformi(("hachureTile" + number).c_str(), this->Texture->GetTextureUnit());
+}
+
+double vtkImagePatternLayerPainter::ReferencePeriod(double whole) const
+{
+  const double set = this->Layer->GetSurfacePeriod();
+  const double logical = this->Period / this->CurrentScene.PixelsPerLogical;
+  return set > 0.0 ? set : logical / wholeInPixels * (whole > 0.0 ? whole : 1.0);
+}
+
+void vtkImagePatternLayerPainter::SetSurfaceUniforms(
+  vtkShaderProgram* program, const std::string& number, double firstTableRow)
+{
+  const bool solid = this->Layer->GetMotion() == vtkImagePatternLayer::DYNAMIC_SOLID;
+  const hachure::PatternTile& tile = this->Tile->front();
+  const double period = this->ReferencePeriod(this->CurrentScene.ModelDiagonal);
+  const double width = tile.periods * period;
+  const double height = width * tile.height / tile.width;
+  const double angle = this->Layer->GetAngle() * radiansPerDegree;
+  const float turn[4] = { static_cast<float>(std::cos(angle) / width),
+    static_cast<float>(std::sin(angle) / width), static_cast<float>(-std::sin(angle) / height),
+    static_cast<float>(std::cos(angle) / height) };
+  program->SetUniform4f(("hachureTurn" + number).c_str(), turn);
+
+  // Scale: period * pixels / w, over Size.
+  const glm::dmat4& clip = this->CurrentScene.ModelToClip;
+  float growth[4] = { 0.0f, 0.0f, 0.0f, 1.0f };
+  if (solid)
+  {
+    const double pixels = this->CurrentScene.PixelsPerModelUnit;
+    for (int i = 0; i < 4; ++i)
+    {
+      growth[i] = static_cast<float>(clip[i].w * this->Period / (period * pixels));
+    }
+  }
+  program->SetUniform4f(("hachureGrowth" + number).c_str(), growth);
+
+  const double ratio = solid ? 0.0 : period / this->ReferencePeriod(1.0);
+  const float shape[4] = { static_cast<float>(tile.width), static_cast<float>(tile.height),
+    static_cast<float>(tile.width) / static_cast<float>(tile.periods), static_cast<float>(ratio) };
+  program->SetUniform4f(("hachureShape" + number).c_str(), shape);
+  const hachure::ToneTableOptions& options = this->Table.options;
+  const float octave[4] = { static_cast<float>(options.lodStart),
+    static_cast<float>(options.lodEnd), static_cast<float>(firstTableRow),
+    static_cast<float>(options.texelsPerPixelAtScale1) };
+  program->SetUniform4f(("hachureOctave" + number).c_str(), octave);
+  program->SetUniformf(("hachureSolid" + number).c_str(), solid ? 1.0f : 0.0f);
 }
 
 void vtkImagePatternLayerPainter::Activate()

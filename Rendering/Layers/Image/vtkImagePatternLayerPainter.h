@@ -24,7 +24,8 @@ public:
   bool Update(vtkOpenGLRenderWindow* window, const Scene& scene, std::string& error) override;
   std::string GetNote() const override;
   const char* GetDeclarations() const override;
-  const std::vector<float>& GetTableRows() const override { return this->Table.threshold; }
+  SurfaceNeed GetSurfaceNeed() const override;
+  const std::vector<float>& GetTableRows() const override { return this->TableRows; }
   unsigned long GetTableVersion() const override { return this->TableVersion; }
   void SetUniforms(vtkShaderProgram* program, const std::string& number,
     const hachure::PatternFrame& frame, double firstTableRow) override;
@@ -36,12 +37,20 @@ private:
   using Mips = std::shared_ptr<const std::vector<hachure::PatternTile>>;
   bool UpdateTile(std::string& error);
   void UpdateTable(const Scene& scene);
+  /// Tables of a pattern on the surface, for several footprints.
+  void BuildTables(int blocks);
+  bool OnSurface() const;
+  double ReferencePeriod(double whole) const;
+  void SetSurfaceUniforms(
+    vtkShaderProgram* program, const std::string& number, double firstTableRow);
   void Upload(vtkOpenGLRenderWindow* window);
 
   vtkWeakPointer<vtkImagePatternLayer> Layer;
   Mips Tile;
   vtkMTimeType TileTime = 0;
   hachure::ToneTable Table;
+  std::vector<float> TableRows;
+  int TableBlocks = 0;
   unsigned long TableVersion = 0;
   Mips TableTile;
   double Period = 8.0; // pixels of the framebuffer per pattern period at LOD scale 1

@@ -1,0 +1,13 @@
+// What the screen pass reads for layers that lie on the surface.
+
+//Section PointDec
+uniform sampler2D hachureSurfacePoint; // model coordinates, w: packed normal of the triangle
+//Section PointImpl
+  vec4 point = texelFetch(hachureSurfacePoint, pixel, 0);
+  hachureSeeSurface(point.xyz, hachureUnpackNormal(point.w));
+//Section TextureDec
+uniform sampler2D hachureSurfaceTexture;       // texture coordinates, z: 1 where there are some
+uniform sampler2D hachureSurfaceTextureSlopes; // their change per fragment: along x, along y
+//Section TextureImpl
+  hachureSeeTexture(texelFetch(hachureSurfaceTexture, pixel, 0).xyz,
+    texelFetch(hachureSurfaceTextureSlopes, pixel, 0));

@@ -164,6 +164,8 @@ MOTIONS = {"translate": translate, "rotate": rotate, "zoom": zoom, "roll": roll,
 # How the pattern moves: a function that sets up a vtkImagePatternLayer.
 FIELDS = {
     "screen": lambda layer: layer.SetMotion(layer.FIXED_IN_IMAGE),
+    "texture": lambda layer: layer.SetMotion(layer.TEXTURE),
+    "solid": lambda layer: layer.SetMotion(layer.DYNAMIC_SOLID),
     "similarity": lambda layer: layer.SetMotion(layer.SIMILARITY),
 }
 

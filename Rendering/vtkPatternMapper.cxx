@@ -192,12 +192,6 @@ void vtkPatternMapper::RemoveAllKeyTimes()
   this->Modified();
 }
 
-vtkMTimeType vtkPatternMapper::GetMTime()
-{
-  // The style is not part of it: its changes are found while drawing and rebuild no buffers.
-  return this->Superclass::GetMTime();
-}
-
 const vtkPatternToneChannels& vtkPatternMapper::GetToneChannels() const
 {
   return this->Internal->Channels;

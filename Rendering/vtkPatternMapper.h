@@ -133,7 +133,6 @@ public:
 
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
-  vtkMTimeType GetMTime() override;
 
 #ifndef __VTK_WRAP__
   /// What the helpers of this mapper draw now; internal.

@@ -263,17 +263,6 @@ vtkMTimeType vtkPatternStyle::GetMTime()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkPatternStyle::GetStructureKey()
-{
-  std::string key;
-  for (const auto& layer : this->Layers)
-  {
-    key += std::string(layer->GetEnabled() ? "+" : "-") + layer->GetTypeName();
-  }
-  return key;
-}
-
-//------------------------------------------------------------------------------
 void vtkPatternStyle::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

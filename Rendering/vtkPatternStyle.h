@@ -202,10 +202,6 @@ public:
   /** Latest change of the style, its layers or anything that they refer to. */
   vtkMTimeType GetMTime() override;
 
-  /** A text that is equal for styles drawn by the same shader text: it tells the number, types,
-   * order and enabled states of the layers and no value that a shader takes as a parameter. */
-  virtual std::string GetStructureKey();
-
 protected:
   vtkPatternStyle();
   ~vtkPatternStyle() override;

@@ -255,11 +255,3 @@ void vtkPatternViewContext::EndFrame()
     track->Visibility.MeasureScene(window, depth);
   }
 }
-
-void vtkPatternViewContext::ReleaseGraphicsResources(vtkWindow* window)
-{
-  for (auto& track : this->Tracks)
-  {
-    track->Visibility.ReleaseGraphicsResources(window);
-  }
-}

@@ -61,7 +61,6 @@ public:
   Track* FindTrack(vtkPatternMapper* mapper, vtkActor* actor);
   /// Forgets how the patterns of a mapper have moved.
   void Reanchor(vtkPatternMapper* mapper);
-  void ReleaseGraphicsResources(vtkWindow* window);
 
 protected:
   vtkPatternViewContext();

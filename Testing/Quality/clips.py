@@ -1,99 +1,76 @@
 # SPDX-FileCopyrightText: Hachure contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws clips as linear ink, with the exact motion between their frames, and measures them."""
+"""Measures clips: frames of ink, and the exact motion between them."""
 
 import hachure
 import numpy
 import scenes
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
+from studio import array_of, image_of
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
-GAMMA = 2.2
 EVERY_WAY = ("SlideRatio", "MeanSlide")  # slides in every direction
-VALUES = ("SlideRatio", "NormalSlideRatio", "Coherence", "MeanSlide", "MeanMotion", "LargestMotion",
-          "BoilMedian", "BoilLargest", "Pop", "Contrast", "FacingSlope", "DistanceSlope", "ToneError")
+VALUES = ("SlideRatio", "NormalSlideRatio", "Coherence", "MeanSlide", "SimilaritySlide", "MeanMotion",
+          "LargestMotion", "BoilMedian", "BoilLargest", "Pop", "Contrast", "CooccurrenceError",
+          "FacingSlope", "DistanceSlope", "ToneError", "ToneFlicker")
+MINIMUM_FACING = 0.3  # n.v, as vtkPatternMetrics has it
+# Pixels of a cell, below which there is too little pattern in it to speak of its tone.
+MINIMUM_CELL_PIXELS = int((2 * scenes.WAVELENGTH) ** 2)
 
 
-def image_of(values):
-    """A vtkImageData of values[row, column] or [row, column, component], row 0 at the bottom."""
-    height, width = values.shape[:2]
-    image = vtkImageData()
-    image.SetDimensions(width, height, 1)
-    flat = numpy.ascontiguousarray(values, dtype=numpy.float32).reshape(height * width, -1)
-    image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=1))
-    return image
+def similarity_slide(motions):
+    """The mean slide, in pixels per step, that no motion by one similarity for each surface avoids.
 
-
-def array_of(image):
-    width, height, _ = image.GetDimensions()
-    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)
-
-
-class Studio:
-    """One window, in which everything is drawn."""
-
-    def __init__(self, size):
-        self.size = size
-        self.window = vtkRenderWindow()
-        self.window.SetOffScreenRendering(True)
-        self.window.SetMultiSamples(0)
-        self.window.SetSize(size, size)
-
-    def motions(self, surfaces, cameras):
-        """Motion from every frame to the next; the last one, to itself, tells where surface is."""
-        pairs = zip(cameras, cameras[1:] + cameras[-1:])
-        return [hachure.screen_motion(self.window, (self.size, self.size), pair, surfaces)
-                for pair in pairs]
-
-    def inks(self, surfaces, cameras, style):
-        """Linear ink of every frame, 1 = full; patterns begin anew."""
-        renderer = vtkRenderer()
-        renderer.SetBackground(1.0, 1.0, 1.0)
-        for surface in surfaces:
-            mapper = hachure.vtkPatternMapper()
-            mapper.SetInputData(surface)
-            mapper.SetStyle(style)
-            actor = vtkActor()
-            actor.SetMapper(mapper)
-            renderer.AddActor(actor)
-        self.window.AddRenderer(renderer)
-        frames = []
-        for camera in cameras:
-            renderer.GetActiveCamera().DeepCopy(camera)
-            self.window.Render()
-            frames.append(self.ink())
-        self.window.RemoveRenderer(renderer)
-        return frames
-
-    def ink(self):
-        data = vtkUnsignedCharArray()
-        self.window.GetPixelData(0, 0, self.size - 1, self.size - 1, 0, data, 0)
-        pixels = vtk_to_numpy(data).reshape(self.size, self.size, 3)[..., 0]
-        return (1.0 - (pixels / 255.0) ** GAMMA).astype(numpy.float32)
-
-
-def measure(frames, motions, tone=None, strokes=False):
-    """The values of a clip by name, NaN where not defined, and slide and boil of every step.
-
-    tone: the even tone that was asked for; strokes: whether slides show across the marks alone.
+    As the image patterns are carried (Breslav et al. 2007, section 3.2), but from all points that are
+    seen in both frames. Counted where n.v > 0.3.
     """
+    slides = []
+    for values in map(array_of, motions):
+        row, column = numpy.nonzero(values[..., 2] > 0)
+        before = column + 1j * row
+        seen = values[row, column].astype(float)
+        after = before + seen[:, 0] + 1j * seen[:, 1]
+        for label in numpy.unique(seen[:, 5]):
+            here = seen[:, 5] == label
+            p = before[here] - before[here].mean()
+            c = after[here] - after[here].mean()
+            turn = numpy.vdot(p, c)
+            size = numpy.sqrt((numpy.abs(c) ** 2).sum() / max((numpy.abs(p) ** 2).sum(), 1e-30))
+            z = size * turn / max(abs(turn), 1e-30)
+            slides.append(numpy.abs(z * p - c)[seen[here, 3] > MINIMUM_FACING])
+    slides = numpy.concatenate(slides)
+    return float(slides.mean()) if len(slides) else float("nan")
+
+
+def new_metrics(frames, motions, cells, reference, tone):
     metrics = hachure.vtkPatternMetrics()
     metrics.SetWavelength(scenes.WAVELENGTH)
-    for frame, motion in zip(frames, motions):
+    metrics.SetMinimumFacing(MINIMUM_FACING)
+    metrics.SetMinimumCellPixels(MINIMUM_CELL_PIXELS)
+    metrics.SetReference(image_of(reference))
+    for frame, motion, cell in zip(frames, motions, cells):
         metrics.AddFrame(image_of(frame))
         metrics.AddMotion(motion)
+        metrics.AddCells(image_of(cell))
         if tone is not None:
             seen = array_of(motion)[..., 5] > 0
             metrics.AddTone(image_of(numpy.where(seen, tone, -1.0)))
+    return metrics
+
+
+def measure(frames, motions, cells, reference, tone=None, strokes=False):
+    """The values of a clip by name, NaN where not defined, and slide and boil of every step.
+
+    cells: of every frame; reference: the ink drawn flat; tone: the even tone that was asked for;
+    strokes: whether slides show across the marks alone.
+    """
+    metrics = new_metrics(frames, motions, cells, reference, tone)
     metrics.Update()
     table = metrics.GetOutput()
     found = {table.GetValueByName(row, "Metric").ToString():
              table.GetValueByName(row, "Value").ToDouble() for row in range(table.GetNumberOfRows())}
     if "NormalSlideRatio" not in found:
         raise RuntimeError("the motion of this clip cannot be measured; see VTK's message")
+    found["SimilaritySlide"] = similarity_slide(motions[:len(frames) - 1])
     steps = metrics.GetOutput(1)
     slide = "NormalSlide" if strokes else "Slide"
     columns = {name: vtk_to_numpy(steps.GetColumnByName(name))[:len(frames) - 1]

@@ -44,15 +44,17 @@ def find_vtk():
         raise SystemExit("report.py: %s; put the package of the build on PYTHONPATH" % error)
 
 
-def draw_clip(studio, surfaces, cameras, motions, key):
+def draw_clip(studio, filmed, key):
     """One clip: its names, values, steps and pictures for the page."""
     import clips
     import page
     import scenes
     style = scenes.new_style(key["field"], key["ink"], key["lighting"])
-    frames = studio.inks(surfaces, cameras, style)
+    frames = studio.inks(filmed["states"], filmed["cameras"], style)
+    motions = filmed["motions"]
     tone = scenes.TONE if key["lighting"] == "unlit" else None
-    values, steps = clips.measure(frames, motions, tone, key["ink"] in scenes.STROKES)
+    values, steps = clips.measure(frames, motions, filmed["cells"], studio.reference(key["ink"]), tone,
+                                  key["ink"] in scenes.STROKES)
     return {**key, "values": values, "steps": steps,
             "frames": page.strip(frames, "ink"),
             "differences": page.strip(clips.differences(frames, motions), "difference")}
@@ -63,21 +65,32 @@ def slide_ratio(values):
     return values.get("SlideRatio", values["NormalSlideRatio"])
 
 
+def film(studio, scene, surfaces, motion, frames):
+    """What all clips of a scene and a motion share; None where the scene does not move like this."""
+    import scenes
+    path = scenes.path(scene, motion, surfaces, frames)
+    if path is None:
+        return None
+    states, cameras = path
+    return {"states": states, "cameras": cameras, "motions": studio.motions(states, cameras),
+            "cells": studio.cells(surfaces, states, cameras)}
+
+
 def draw(chosen, frames):
     """All clips of the chosen scenes, motions, fields, inks and lightings."""
-    import clips
     import scenes
-    studio = clips.Studio(SIZE)
+    from studio import Studio
+    studio = Studio(SIZE)
     result = []
     for scene in chosen["scene"]:
         surfaces = scenes.SCENES[scene]()
         inks = [ink for ink in chosen["ink"] if ink not in scenes.STROKES or scene in STROKE_SCENES]
         for motion in chosen["motion"]:
-            cameras = scenes.MOTIONS[motion](frames)
-            motions = studio.motions(surfaces, cameras)
-            for names in itertools.product(chosen["field"], inks, chosen["lighting"]):
-                key = dict(zip(AXES, (scene, motion, *names)))
-                result.append(draw_clip(studio, surfaces, cameras, motions, key))
+            filmed = film(studio, scene, surfaces, motion, frames)
+            names = itertools.product(chosen["field"], inks, chosen["lighting"]) if filmed else ()
+            for name in names:
+                key = dict(zip(AXES, (scene, motion, *name)))
+                result.append(draw_clip(studio, filmed, key))
                 print(*key.values(), "slide ratio %.4f" % slide_ratio(result[-1]["values"]),
                       sep=", ", flush=True)
     return result
@@ -116,7 +129,7 @@ EXPLANATION = (
 
 def main():
     find_vtk()
-    sys.path.insert(0, FOLDER)
+    sys.path[:0] = [FOLDER, os.path.dirname(FOLDER)]
     import page
     known = choices()
     options = arguments(known)
@@ -124,6 +137,8 @@ def main():
     chosen = {axis: getattr(options, axis) or default[axis] for axis in AXES}
     os.makedirs(options.out, exist_ok=True)
     clips = draw(chosen, FRAMES_REDUCED if options.reduced else FRAMES)
+    if not clips:
+        raise SystemExit("report.py: none of these scenes has one of these motions and inks")
     with open(os.path.join(options.out, "quality.json"), "w", encoding="utf-8") as file:
         json.dump(rows(clips), file, indent=1, allow_nan=False)
     with open(os.path.join(options.out, "quality.html"), "w", encoding="utf-8") as file:

@@ -1,65 +1,25 @@
 # SPDX-FileCopyrightText: Hachure contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the quality report draws: scenes, camera motions, fields, inks and lightings, each in one list.
+"""What the quality report draws: scenes, motions, fields, inks and lightings, each in one list.
 
-A scene is a list of surfaces (polydata) about the origin, of radius 0.65 or so; a motion gives the
-camera at every frame. Speeds keep motion below half the wavelength of the inks per frame.
+A scene is a list of surfaces (polydata), see objects.py; a motion gives the camera at every frame, and
+for some scenes the surfaces. Speeds keep motion below half the wavelength of the inks per frame.
 """
 
 import math
-import os
 
 import hachure
 import numpy
+import objects
+from objects import ball, placed, square, steps
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkPolyDataNormals
-from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-RADIUS = 0.65
 VIEW_ANGLE = 30.0
 DISTANCE = 3.2  # of the camera from the origin, scene units
 TONE = 0.5
 WAVELENGTH = 12.0  # of all inks, in pixels
-SKULL_LEVEL = 2.9  # the bone, in the file's units
-DATA = os.environ.get("HACHURE_DATA") or os.path.join(
-    os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Data")
-
-
-def placed(surface, move=(0, 0, 0), scale=(1, 1, 1), turn=(0, 0, 0, 1)):
-    transform = vtkTransform()
-    transform.Translate(*move)
-    transform.RotateWXYZ(*turn)
-    transform.Scale(*scale)
-    apply = vtkTransformPolyDataFilter()
-    apply.SetTransform(transform)
-    apply.SetInputData(surface)
-    apply.Update()
-    return apply.GetOutput()
-
-
-def ball(radius=RADIUS):
-    source = vtkSphereSource()
-    source.SetRadius(radius)
-    source.SetThetaResolution(96)
-    source.SetPhiResolution(96)
-    source.Update()
-    return source.GetOutput()
-
-
-def square(width=6.0):
-    """In the plane z = 0, facing the camera."""
-    source = vtkPlaneSource()
-    source.SetOrigin(-width / 2, -width / 2, 0)
-    source.SetPoint1(width / 2, -width / 2, 0)
-    source.SetPoint2(-width / 2, width / 2, 0)
-    source.SetResolution(24, 24)
-    source.Update()
-    return source.GetOutput()
 
 
 def sphere():
@@ -86,32 +46,15 @@ def room():
         placed(ball(0.25), move=place) for place in places]
 
 
-def skull():
-    reader = vtkXMLImageDataReader()
-    reader.SetFileName(os.path.join(DATA, "skull.vti"))
-    contour = vtkContourFilter()
-    contour.SetInputConnection(reader.GetOutputPort())
-    contour.SetValue(0, SKULL_LEVEL)
-    contour.ComputeNormalsOff()
-    normals = vtkPolyDataNormals()
-    normals.SetInputConnection(contour.GetOutputPort())
-    normals.SplittingOff()
-    normals.Update()
-    found = normals.GetOutput()
-    if not found.GetNumberOfPolys():
-        raise RuntimeError("no surface in %s" % reader.GetFileName())
-    scale = 2 * RADIUS / found.GetLength() * 1.3
-    centre = [-scale * c for c in found.GetCenter()]
-    return [placed(found, move=centre, scale=(scale,) * 3)]
-
-
 SCENES = {
     "sphere": sphere,
     "ellipsoid": ellipsoid,
     "plane": plane,
     "sphere before a plane": sphere_before_plane,
     "room": room,
-    "skull": skull,
+    "skull": lambda: [objects.skull()],
+    "disk_out_ref": lambda: [objects.disk()],
+    "protein": lambda: [objects.protein()],
 }
 
 
@@ -125,9 +68,9 @@ def camera_at(position, focal_point, up=(0.0, 1.0, 0.0)):
     return camera
 
 
-def steps(frames):
-    """-1/2 times the number of steps to 1/2 times it: the middle of a clip is the middle of its path."""
-    return [frame - (frames - 1) / 2 for frame in range(frames)]
+def pixel_width(size):
+    """Of a picture of this size, at the origin, seen from DISTANCE, in scene units."""
+    return 2 * DISTANCE * math.tan(math.radians(VIEW_ANGLE / 2)) / size
 
 
 def translate(frames):
@@ -159,7 +102,29 @@ def walk(frames):
     return cameras
 
 
-MOTIONS = {"translate": translate, "rotate": rotate, "zoom": zoom, "roll": roll, "walk": walk}
+def still(frames):
+    return [camera_at((0, 0, DISTANCE), (0, 0, 0))] * frames
+
+
+# Of the camera. Where the objects move it is still.
+MOTIONS = {"translate": translate, "rotate": rotate, "zoom": zoom, "roll": roll, "walk": walk,
+           "deform": still, "scale": still}
+
+# Of the objects: scenes that have them, and their surfaces at every frame.
+DEFORMATIONS = {
+    "deform": {"disk_out_ref": objects.bend, "protein": objects.fold},
+    "scale": {"disk_out_ref": objects.grow},
+}
+
+
+def path(scene, motion, surfaces, frames):
+    """Surfaces and camera of every frame, None where the scene does not have this motion."""
+    cameras = MOTIONS[motion](frames)
+    if motion not in DEFORMATIONS:
+        return [surfaces] * frames, cameras
+    deform = DEFORMATIONS[motion].get(scene)
+    return (deform(surfaces, frames), cameras) if deform else None
+
 
 # How the pattern moves: a function that sets up a vtkImagePatternLayer.
 FIELDS = {

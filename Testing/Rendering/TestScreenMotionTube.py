@@ -2,52 +2,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A tube along a protein's backbone, from one model of it to others, against cast rays."""
 
-import gzip
 import sys
 
 import motion_scene as motion
 import numpy
 import pattern_scene as scene
+import protein_tube
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import mutable, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter, vtkTubeFilter
+from vtkmodules.vtkCommonCore import mutable
+from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 DATA = sys.argv[sys.argv.index("-D") + 1]
-ATOMS = 76
 RAYS = 1500
-
-
-def backbones():
-    """Positions of the atoms in every model, in a box of about size 1."""
-    with gzip.open(DATA + "/pdb2k39_ca.pdb.gz", "rt") as file:
-        atoms = [line for line in file if line.startswith("ATOM")]
-    places = numpy.array([[float(line[i:i + 8]) for i in (30, 38, 46)] for line in atoms])
-    models = places.reshape(-1, ATOMS, 3)
-    return (models - models.mean((0, 1))) / 30.0
-
-
-def tube(backbone):
-    """Strips around a smooth curve (Catmull and Rom) through the atoms."""
-    padded = numpy.concatenate([backbone[:1], backbone, backbone[-1:]])
-    before, start, end, after = (padded[i:ATOMS - 1 + i, None] for i in range(4))
-    t = (numpy.arange(8) / 8)[None, :, None]
-    square = 2 * before - 5 * start + 4 * end - after
-    cube = 3 * start - before - 3 * end + after
-    curve = 0.5 * (2 * start + (end - before) * t + square * t**2 + cube * t**3).reshape(-1, 3)
-    points, lines, data = vtkPoints(), vtkCellArray(), vtkPolyData()
-    for point in curve:
-        points.InsertNextPoint(*point)
-    lines.InsertNextCell(len(curve), range(len(curve)))
-    data.SetPoints(points)
-    data.SetLines(lines)
-    filter_ = vtkTubeFilter()
-    filter_.SetInputData(data)
-    filter_.SetRadius(0.03)
-    filter_.SetNumberOfSides(12)
-    filter_.Update()
-    return filter_.GetOutput()
 
 
 class Caster:
@@ -101,10 +69,10 @@ def check_pair(first, second):
 
 
 def test_models():
-    models = backbones()
-    first = tube(models[0])
+    models = protein_tube.backbones(DATA)
+    first = protein_tube.tube(models[0])
     for number in (1, 57, 115):
-        errors, wrong = check_pair(first, tube(models[number]))
+        errors, wrong = check_pair(first, protein_tube.tube(models[number]))
         print("model", number, "error", errors.max(), "visibility wrong at", wrong, "of", RAYS)
         # At an edge of the picture of a triangle the ray may meet its neighbour.
         assert errors.max() < 0.01, errors.max()

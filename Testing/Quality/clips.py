@@ -8,10 +8,11 @@ import scenes
 from studio import array_of, image_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-EVERY_WAY = ("SlideRatio", "MeanSlide")  # slides in every direction
-VALUES = ("SlideRatio", "NormalSlideRatio", "Coherence", "MeanSlide", "SimilaritySlide", "MeanMotion",
-          "LargestMotion", "BoilMedian", "BoilLargest", "Pop", "Contrast", "CooccurrenceError",
-          "FacingSlope", "DistanceSlope", "ToneError", "ToneFlicker")
+ALWAYS = ("Contrast", "CooccurrenceError", "FacingSlope", "ToneError", "ToneFlicker")
+SLOW = ("SlideRatio", "NormalSlideRatio", "Coherence", "MeanSlide", "SimilaritySlide", "MeanMotion",
+        "LargestMotion", "BoilMedian", "BoilLargest", "Pop") + ALWAYS
+FAST = ("DistanceSlope",) + ALWAYS
+EVERY_WAY = ("SlideRatio", "MeanSlide", "SimilaritySlide")  # slides in every direction, not for strokes
 MINIMUM_FACING = 0.3  # n.v, as vtkPatternMetrics has it
 # Pixels of a cell, below which there is too little pattern in it to speak of its tone.
 MINIMUM_CELL_PIXELS = int((2 * scenes.WAVELENGTH) ** 2)
@@ -41,7 +42,11 @@ def similarity_slide(motions):
     return float(slides.mean()) if len(slides) else float("nan")
 
 
-def new_metrics(frames, motions, cells, reference, tone):
+def new_metrics(frames, motions, cells, reference, tone=None):
+    """The filter with a clip.
+
+    cells: of every frame; reference: the ink drawn flat; tone: the even tone that was asked for.
+    """
     metrics = hachure.vtkPatternMetrics()
     metrics.SetWavelength(scenes.WAVELENGTH)
     metrics.SetMinimumFacing(MINIMUM_FACING)
@@ -57,26 +62,31 @@ def new_metrics(frames, motions, cells, reference, tone):
     return metrics
 
 
-def measure(frames, motions, cells, reference, tone=None, strokes=False):
-    """The values of a clip by name, NaN where not defined, and slide and boil of every step.
-
-    cells: of every frame; reference: the ink drawn flat; tone: the even tone that was asked for;
-    strokes: whether slides show across the marks alone.
-    """
-    metrics = new_metrics(frames, motions, cells, reference, tone)
-    metrics.Update()
+def table_of(metrics):
     table = metrics.GetOutput()
     found = {table.GetValueByName(row, "Metric").ToString():
              table.GetValueByName(row, "Value").ToDouble() for row in range(table.GetNumberOfRows())}
     if "NormalSlideRatio" not in found:
         raise RuntimeError("the motion of this clip cannot be measured; see VTK's message")
-    found["SimilaritySlide"] = similarity_slide(motions[:len(frames) - 1])
+    return found
+
+
+def measure(metrics, motions, strokes=False, fast=False):
+    """The values of a clip by name, NaN where not defined, and some for every step.
+
+    strokes: whether slides show across the marks alone; fast: whether the motion is too fast for them.
+    """
+    if fast:
+        metrics.AddObserver("WarningEvent", lambda *_: None)  # says that slides cannot be told
+    metrics.Update()
+    found = table_of(metrics)
+    found["SimilaritySlide"] = similarity_slide(motions[:-1])
     steps = metrics.GetOutput(1)
-    slide = "NormalSlide" if strokes else "Slide"
-    columns = {name: vtk_to_numpy(steps.GetColumnByName(name))[:len(frames) - 1]
-               for name in (slide, "Boil")}
-    names = [name for name in VALUES if name in found and not (strokes and name in EVERY_WAY)]
-    return {name: found[name] for name in names}, columns
+    columns = ("Frequency", "Contrast") if fast else ("NormalSlide" if strokes else "Slide", "Boil")
+    names = FAST if fast else SLOW
+    return ({name: found[name] for name in names
+             if name in found and not (strokes and name in EVERY_WAY)},
+            {name: vtk_to_numpy(steps.GetColumnByName(name))[:len(motions) - 1] for name in columns})
 
 
 def followed(frame, motion):

@@ -2,109 +2,153 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The quality report as one HTML page that needs no other file and no script."""
 
-import base64
 import html
 import math
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
-
-SIDE = 160  # of the pictures at half the size, in pixels
-SHOWN = 6  # frames in a strip
-LEVELS = 15  # grey levels but one; few keep the page small
+from pictures import SHOWN, SIDE
 
 STYLE = """
-body { font: 14px sans-serif; margin: 2em; color: #222; }
-table { border-collapse: collapse; margin: 1em 0; }
+body { font: 14px/1.4 sans-serif; margin: 2em auto; max-width: 1180px; padding: 0 1em; color: #222;
+  background: #fff; }
+h2 { margin-top: 2em; border-bottom: 2px solid #222; }
+h3 { margin-bottom: .3em; }
+p, dl { max-width: 60em; }
+table { border-collapse: collapse; }
 th, td { border: 1px solid #ccc; padding: 3px 8px; text-align: right; vertical-align: middle; }
-th, td.name { text-align: left; font-weight: normal; background: #f4f4f4; }
-.numbers { columns: 2; margin: 0; padding: 0; list-style: none; font-size: 12px; }
-.strip { width: %(side)dpx; height: %(side)dpx; animation-iteration-count: infinite; }
-.six { animation: strip 1.5s steps(%(shown)d) infinite; }
+th { background: #f4f4f4; }
+th.name { text-align: left; font-weight: normal; }
+td.best { background: #d8f0d8; font-weight: bold; }
+caption { text-align: left; font-weight: bold; padding: 2px 0; }
+caption span { font-weight: normal; color: #555; }
+dt { font-weight: bold; }
+dd { margin: 0 0 .3em 1.5em; }
+.tables { display: flex; flex-wrap: wrap; gap: 1em 2em; align-items: flex-start; }
+.clips th.name { font-weight: bold; }
+.clips th.name small { font-weight: normal; display: block; }
+.numbers { border: 0; font-size: 12px; }
+.numbers td { border: 0; padding: 0 6px; }
+.numbers td:first-child { text-align: left; color: #555; }
+svg { display: block; }
+svg line { stroke: #888; } svg line.rim { stroke: #ddd; } svg polyline { fill: none; stroke: #06c; }
+svg text { font-size: 11px; }
+.strip { width: %(side)dpx; height: %(side)dpx; outline: 1px solid #ddd; }
+.six { animation: strip 1.2s steps(%(shown)d, jump-none) infinite alternate; }
 @keyframes strip { to { background-position: -%(width)dpx 0; } }
 @media (prefers-reduced-motion: reduce) { .six { animation: none; } }
-""" % {"side": SIDE, "shown": SHOWN, "width": SIDE * SHOWN}
+""" % {"side": SIDE, "shown": SHOWN, "width": SIDE * (SHOWN - 1)}
+
+# What a metric is called, what it tells, and the best value there is. In the order of the summary.
+METRICS = {
+    "SlideRatio": ("slide ratio", "how far the pattern slides over the surface / how far the surface "
+                   "moves; 0: fixed on the surface, 1: fixed in the image", 0),
+    "NormalSlideRatio": ("slide ratio across", "the same, only across the strokes", 0),
+    "BoilMedian": ("boil", "what remains of the change from frame to frame after the best slide; "
+                   "median over the steps", 0),
+    "Contrast": ("contrast", "deviation of the ink / that of the same ink drawn flat on paper with an "
+                 "even tone", 1),
+    "CooccurrenceError": ("co-occurrence error", "how much the texture of the marks differs from that of "
+                          "the same ink drawn flat", 0),
+    "FacingSlope": ("slope over tilt (β)", "how the frequency of the pattern grows where the surface "
+                    "turns away; 0: flat like paper, 1: squeezed like the surface", 0),
+    "DistanceSlope": ("slope over distance (γ)", "how it grows with the distance, over three octaves; "
+                      "0: marks keep their size, 1: they shrink like the surface", 0),
+    "ToneError": ("tone error", "largest difference of the ink in a window and the tone asked for", 0),
+    "ToneFlicker": ("tone flicker", "deviation over time of the mean ink of places on the surface, three "
+                    "wavelengths wide", 0),
+}
+# Only beside the clips.
+DETAILS = {
+    "Coherence": "coherence", "MeanSlide": "mean slide, pixels",
+    "SimilaritySlide": "slide that no similarity avoids, pixels", "MeanMotion": "mean motion, pixels",
+    "LargestMotion": "largest motion, pixels", "BoilLargest": "largest boil", "Pop": "pop",
+}
+# The curves.
+STEPS = {"Slide": "slide in pixels", "NormalSlide": "slide across in pixels", "Boil": "boil",
+         "Frequency": "periods per pixel", "Contrast": "contrast"}
+
+
+def name_of(metric):
+    return METRICS[metric][0] if metric in METRICS else DETAILS.get(metric, metric)
 
 
 def number(value):
     return "–" if math.isnan(value) else "%.4f" % value
 
 
-def png(values):
-    """values[row, column] from 0 (white) to 1 (black), row 0 at the bottom, as the address of an image."""
-    levels = numpy.rint(numpy.clip(values, 0, 1) * LEVELS) / LEVELS
-    grey = numpy.rint(255 * (1 - levels) ** (1 / 2.2)).astype(numpy.uint8)
-    image = vtkImageData()
-    image.SetDimensions(grey.shape[1], grey.shape[0], 1)
-    image.GetPointData().SetScalars(numpy_to_vtk(grey.ravel(), deep=1))
-    writer = vtkPNGWriter()
-    writer.SetInputData(image)
-    writer.WriteToMemoryOn()
-    writer.Write()
-    data = vtk_to_numpy(writer.GetResult()).tobytes()
-    return "data:image/png;base64," + base64.b64encode(data).decode()
+def best_of(values, metric):
+    """Whether each value, as it is printed, is the nearest to what is best."""
+    away = [abs(round(value, 4) - METRICS[metric][2]) for value in values]
+    known = [distance for distance in away if not math.isnan(distance)]
+    return [bool(known) and distance == min(known) for distance in away]
 
 
-def strip(pictures, title):
-    """Some of the pictures at half the size, one after the other and again."""
-    chosen = numpy.linspace(0, len(pictures) - 1, SHOWN).round().astype(int)
-    row = numpy.hstack([pictures[i] for i in chosen])
-    address = png(row.reshape(SIDE, 2, SIDE * SHOWN, 2).mean(axis=(1, 3)))
-    return '<div class="strip six" title="%s" style="background-image:url(%s)"></div>' % (
-        html.escape(title), address)
-
-
-def plot(values, title, width=180, height=60):
-    """A curve over the steps of a clip, from 0 to its largest value."""
-    values = numpy.nan_to_num(numpy.asarray(values, dtype=float))
-    top = max(float(values.max(initial=0.0)), 1e-9)
-    across = numpy.linspace(2, width - 2, max(len(values), 2))
-    points = " ".join("%.1f,%.1f" % (x, height - 2 - (height - 16) * y / top)
-                      for x, y in zip(across, values))
-    return ('<svg width="%d" height="%d"><polyline points="%s" fill="none" stroke="#06c"/>'
-            '<text x="2" y="11" font-size="11">%s, up to %.3g</text></svg>'
-            % (width, height, points, html.escape(title), top))
-
-
-def summary(clips, metric, ink, lighting):
-    """A table of one metric: motions down, fields across, mean over the scenes."""
-    chosen = [c for c in clips if c["ink"] == ink and c["lighting"] == lighting]
-    motions, fields = ([*dict.fromkeys(c[key] for c in chosen)] for key in ("motion", "field"))
-    rows = ["<tr><th>%s</th>%s</tr>" % (metric, "".join("<th>%s</th>" % f for f in fields))]
+def summary(clips, metric):
+    """A table of one metric: motions down, fields across, mean over the scenes; empty without values."""
+    motions, fields = ([*dict.fromkeys(c[key] for c in clips)] for key in ("motion", "field"))
+    rows = []
     for motion in motions:
-        cells = []
-        for field in fields:
-            found = [c["values"].get(metric, math.nan) for c in chosen
-                     if (c["motion"], c["field"]) == (motion, field)]
-            found = [value for value in found if not math.isnan(value)]
-            cells.append("<td>%s</td>" % number(numpy.mean(found) if found else math.nan))
-        rows.append('<tr><td class="name">%s</td>%s</tr>' % (motion, "".join(cells)))
-    return "<table>%s</table>" % "".join(rows)
+        found = [[c["values"].get(metric, math.nan) for c in clips
+                  if (c["motion"], c["field"]) == (motion, field)] for field in fields]
+        known = [[value for value in values if not math.isnan(value)] for values in found]
+        if not any(known):
+            continue
+        means = [float(numpy.mean(values)) if values else math.nan for values in known]
+        cells = ("<td%s>%s</td>" % (' class="best"' if best else "", number(value))
+                 for value, best in zip(means, best_of(means, metric)))
+        rows.append('<tr><th class="name">%s</th>%s</tr>' % (html.escape(motion), "".join(cells)))
+    if not rows:
+        return ""
+    head = "".join("<th>%s</th>" % html.escape(field) for field in fields)
+    return ("<table><caption>%s <span>best: %g</span></caption><tr><th></th>%s</tr>%s</table>"
+            % (name_of(metric), METRICS[metric][2], head, "".join(rows)))
+
+
+def summaries(clips):
+    parts = []
+    for ink, lighting in dict.fromkeys((c["ink"], c["lighting"]) for c in clips):
+        chosen = [c for c in clips if (c["ink"], c["lighting"]) == (ink, lighting)]
+        strokes = not any("SlideRatio" in c["values"] for c in chosen)
+        tables = (summary(chosen, metric) for metric in METRICS
+                  if strokes or metric != "NormalSlideRatio")
+        parts.append('<h3>%s, %s</h3><div class="tables">%s</div>' % (
+            html.escape(ink), html.escape(lighting), "".join(tables)))
+    return parts
+
+
+def legend():
+    entries = "".join("<dt>%s</dt><dd>%s</dd>" % (name, text) for name, text, _ in METRICS.values())
+    return "<h2>What the numbers mean</h2><dl>%s</dl>" % entries
 
 
 def clip_row(clip):
-    name = "<br>".join(html.escape(clip[key]) for key in ("motion", "field", "ink", "lighting"))
-    numbers = "".join("<li>%s %s</li>" % (key, number(value)) for key, value in clip["values"].items())
-    plots = "<br>".join(plot(values, key) for key, values in clip["steps"].items())
-    return ('<tr><td class="name">%s</td><td>%s</td><td>%s</td><td><ul class="numbers">%s</ul></td>'
+    name = "%s<small>%s, %s</small>" % tuple(
+        html.escape(clip[key]) for key in ("field", "ink", "lighting"))
+    numbers = "".join("<tr><td>%s</td><td>%s</td></tr>" % (name_of(key), number(value))
+                      for key, value in clip["values"].items())
+    plots = "".join(clip["plots"])
+    return ('<tr><th class="name">%s</th><td>%s</td><td>%s</td><td><table class="numbers">%s</table></td>'
             "<td>%s</td></tr>" % (name, clip["frames"], clip["differences"], numbers, plots))
+
+
+def scene_parts(clips, scene):
+    parts = ["<h2>Scene: %s</h2>" % html.escape(scene)]
+    of_scene = [c for c in clips if c["scene"] == scene]
+    for motion in dict.fromkeys(c["motion"] for c in of_scene):
+        rows = [clip_row(c) for c in of_scene if c["motion"] == motion]
+        parts.append('<h3>%s</h3><table class="clips"><tr><th>field</th><th>frames</th><th>differences'
+                     "</th><th>numbers</th><th>step by step</th></tr>%s</table>"
+                     % (html.escape(motion), "\n".join(rows)))
+    return parts
 
 
 def page(clips, explanation):
     parts = ['<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>Hachure: quality'
-             "</title><style>%s</style></head><body><h1>Quality of moving patterns</h1>" % STYLE]
+             '</title><style>%s</style></head><body><h1>Quality of moving patterns</h1>' % STYLE]
     parts += ["<p>%s</p>" % html.escape(text) for text in explanation]
     parts.append("<h2>Mean over the scenes</h2>")
-    for ink, lighting in dict.fromkeys((c["ink"], c["lighting"]) for c in clips):
-        parts.append("<h3>%s, %s</h3>" % (html.escape(ink), html.escape(lighting)))
-        parts += [summary(clips, metric, ink, lighting)
-                  for metric in ("NormalSlideRatio", "SlideRatio", "BoilMedian")
-                  if any(metric in c["values"] for c in clips if c["ink"] == ink)]
+    parts += summaries(clips)
+    parts.append(legend())
     for scene in dict.fromkeys(c["scene"] for c in clips):
-        parts.append("<h2>%s</h2><table><tr><th>clip</th><th>frames</th><th>differences along the "
-                     "motion</th><th>numbers</th><th>step by step</th></tr>" % html.escape(scene))
-        parts += [clip_row(c) for c in clips if c["scene"] == scene]
-        parts.append("</table>")
+        parts += scene_parts(clips, scene)
     return "\n".join(parts + ["</body></html>\n"])

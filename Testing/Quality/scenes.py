@@ -102,13 +102,24 @@ def walk(frames):
     return cameras
 
 
+def approach(frames):
+    """Three octaves of distance: a pattern that changes its octave on the way does so everywhere alike."""
+    frames = max(frames, 13)
+    return [camera_at((0, 0, 1.4 * 2 ** (3 - 3 * frame / (frames - 1))), (0, 0, 0))
+            for frame in range(frames)]
+
+
 def still(frames):
     return [camera_at((0, 0, DISTANCE), (0, 0, 0))] * frames
 
 
 # Of the camera. Where the objects move it is still.
 MOTIONS = {"translate": translate, "rotate": rotate, "zoom": zoom, "roll": roll, "walk": walk,
-           "deform": still, "scale": still}
+           "approach": approach, "deform": still, "scale": still}
+# Only for the scenes that are large enough.
+LARGE = {"approach": ("plane",)}
+# Too fast to tell slides. All others cover too few octaves to tell how size goes with distance.
+FAST = {"approach"}
 
 # Of the objects: scenes that have them, and their surfaces at every frame.
 DEFORMATIONS = {
@@ -121,7 +132,8 @@ def path(scene, motion, surfaces, frames):
     """Surfaces and camera of every frame, None where the scene does not have this motion."""
     cameras = MOTIONS[motion](frames)
     if motion not in DEFORMATIONS:
-        return [surfaces] * frames, cameras
+        here = scene in LARGE.get(motion, (scene,))
+        return ([surfaces] * len(cameras), cameras) if here else None
     deform = DEFORMATIONS[motion].get(scene)
     return (deform(surfaces, frames), cameras) if deform else None
 

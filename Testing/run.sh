@@ -21,7 +21,7 @@ fi
 
 packages=(
   g++ cmake ninja-build libvtk9-dev paraview-dev libglm-dev libgtest-dev
-  xvfb xauth libgl1-mesa-dri openmpi-bin
+  xvfb xauth libgl1-mesa-dri openmpi-bin chromium
   clang-format clang-tidy libomp-dev codespell glslang-tools git
 )
 

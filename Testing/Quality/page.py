@@ -6,7 +6,7 @@ import html
 import math
 
 import numpy
-from pictures import SHOWN, SIDE
+from pictures import SHOWN, SIDE, plot
 
 STYLE = """
 body { font: 14px/1.4 sans-serif; margin: 2em auto; max-width: 1180px; padding: 0 1em; color: #222;
@@ -15,15 +15,16 @@ h2 { margin-top: 2em; border-bottom: 2px solid #222; }
 h3 { margin-bottom: .3em; }
 p, dl { max-width: 60em; }
 table { border-collapse: collapse; }
-th, td { border: 1px solid #ccc; padding: 3px 8px; text-align: right; vertical-align: middle; }
+th, td { border: 1px solid #ccc; padding: 2px 6px; text-align: right; vertical-align: middle; }
 th { background: #f4f4f4; }
 th.name { text-align: left; font-weight: normal; }
 td.best { background: #d8f0d8; font-weight: bold; }
 caption { text-align: left; font-weight: bold; padding: 2px 0; }
 caption span { font-weight: normal; color: #555; }
+dl { display: grid; grid-template-columns: 12em auto; margin: .2em 0 .2em 1em; }
 dt { font-weight: bold; }
-dd { margin: 0 0 .3em 1.5em; }
-.tables { display: flex; flex-wrap: wrap; gap: 1em 2em; align-items: flex-start; }
+dd { margin: 0; }
+.tables { display: flex; flex-wrap: wrap; gap: 1em 1.5em; font-size: 13px; align-items: flex-start; }
 .clips th.name { font-weight: bold; }
 .clips th.name small { font-weight: normal; display: block; }
 .numbers { border: 0; font-size: 12px; }
@@ -80,7 +81,7 @@ def best_of(values, metric):
     """Whether each value, as it is printed, is the nearest to what is best."""
     away = [abs(round(value, 4) - METRICS[metric][2]) for value in values]
     known = [distance for distance in away if not math.isnan(distance)]
-    return [bool(known) and distance == min(known) for distance in away]
+    return [len(known) > 1 and distance == min(known) for distance in away]
 
 
 def summary(clips, metric):
@@ -121,34 +122,51 @@ def legend():
     return "<h2>What the numbers mean</h2><dl>%s</dl>" % entries
 
 
-def clip_row(clip):
+def clip_row(clip, tops):
     name = "%s<small>%s, %s</small>" % tuple(
         html.escape(clip[key]) for key in ("field", "ink", "lighting"))
     numbers = "".join("<tr><td>%s</td><td>%s</td></tr>" % (name_of(key), number(value))
                       for key, value in clip["values"].items())
-    plots = "".join(clip["plots"])
+    plots = "".join(plot(values, STEPS[key], tops[key]) for key, values in clip["steps"].items())
     return ('<tr><th class="name">%s</th><td>%s</td><td>%s</td><td><table class="numbers">%s</table></td>'
             "<td>%s</td></tr>" % (name, clip["frames"], clip["differences"], numbers, plots))
 
 
+def anchor(scene):
+    return html.escape(scene.replace(" ", "-"))
+
+
 def scene_parts(clips, scene):
-    parts = ["<h2>Scene: %s</h2>" % html.escape(scene)]
+    parts = ['<h2 id="%s">Scene: %s</h2>' % (anchor(scene), html.escape(scene))]
     of_scene = [c for c in clips if c["scene"] == scene]
     for motion in dict.fromkeys(c["motion"] for c in of_scene):
-        rows = [clip_row(c) for c in of_scene if c["motion"] == motion]
+        chosen = [c for c in of_scene if c["motion"] == motion]
+        tops = {key: max(numpy.nanmax(numpy.append(c["steps"][key], 0)) for c in chosen
+                         if key in c["steps"]) for c in chosen for key in c["steps"]}
+        rows = [clip_row(c, tops) for c in chosen]
         parts.append('<h3>%s</h3><table class="clips"><tr><th>field</th><th>frames</th><th>differences'
                      "</th><th>numbers</th><th>step by step</th></tr>%s</table>"
                      % (html.escape(motion), "\n".join(rows)))
     return parts
 
 
+def explained(explanation):
+    """Paragraphs, and pairs of a term and its meaning."""
+    return ["<p>%s</p>" % html.escape(entry) if isinstance(entry, str)
+            else "<dl><dt>%s</dt><dd>%s</dd></dl>" % tuple(map(html.escape, entry))
+            for entry in explanation]
+
+
 def page(clips, explanation):
+    scenes = list(dict.fromkeys(c["scene"] for c in clips))
     parts = ['<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>Hachure: quality'
-             '</title><style>%s</style></head><body><h1>Quality of moving patterns</h1>' % STYLE]
-    parts += ["<p>%s</p>" % html.escape(text) for text in explanation]
+             "</title><style>%s</style></head><body><h1>Quality of moving patterns</h1>" % STYLE]
+    parts += explained(explanation)
+    parts.append("<p>Clips by scene: %s</p>" % ", ".join(
+        '<a href="#%s">%s</a>' % (anchor(scene), html.escape(scene)) for scene in scenes))
     parts.append("<h2>Mean over the scenes</h2>")
     parts += summaries(clips)
     parts.append(legend())
-    for scene in dict.fromkeys(c["scene"] for c in clips):
+    for scene in scenes:
         parts += scene_parts(clips, scene)
     return "\n".join(parts + ["</body></html>\n"])

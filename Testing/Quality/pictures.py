@@ -45,17 +45,17 @@ def strip(pictures, title, spread=False):
             % (html.escape(title), address))
 
 
-def plot(values, title, width=220, height=76):
-    """A curve over the steps of a clip, from 0 to its largest value."""
+def plot(values, title, top, width=220, height=76):
+    """A curve over the steps of a clip, from 0 to top."""
     values = numpy.nan_to_num(numpy.asarray(values, dtype=float))
-    top = max(float(values.max(initial=0.0)), 1e-9)
+    top = max(top, 1e-9)
     left, right, floor, ceiling = 4, width - 4, height - 14, 18
     across = numpy.linspace(left, right, max(len(values), 2))
     points = " ".join("%.1f,%.1f" % (x, floor - (floor - ceiling) * y / top)
                       for x, y in zip(across, values))
     return ('<svg width="%d" height="%d" role="img"><line x1="%d" x2="%d" y1="%d" y2="%d" class="rim"/>'
             '<line x1="%d" x2="%d" y1="%d" y2="%d"/><polyline points="%s"/>'
-            '<text x="%d" y="12">%s, from 0 to %.3g</text><text x="%d" y="%d">first step</text>'
+            '<text x="%d" y="12">%s, 0 to %.3g</text><text x="%d" y="%d">first step</text>'
             '<text x="%d" y="%d" text-anchor="end">last</text></svg>'
             % (width, height, left, right, ceiling, ceiling, left, right, floor, floor, points, left,
                html.escape(title), top, left, height - 2, right, height - 2))

@@ -6,7 +6,7 @@
 Writes DIR/quality.json, a list of {scene, motion, field, ink, lighting, metric, value} with null for
 values that are not defined, and DIR/quality.html. Metrics are those of vtkPatternMetrics. The package
 hachure must be on PYTHONPATH. --reduced draws few clips, for tests; --scene, --motion, --field, --ink
-and --lighting, which may be repeated, choose from the lists in scenes.py.
+and --lighting, which may be repeated, choose from the lists in scenes.py, with --reduced from the few.
 """
 
 import argparse
@@ -52,7 +52,6 @@ def find_vtk():
 def draw_clip(studio, filmed, key):
     """One clip: its names, values, steps and pictures for the page."""
     import clips
-    import page
     import pictures
     import scenes
     style = scenes.new_style(key["field"], key["ink"], key["lighting"])
@@ -65,7 +64,7 @@ def draw_clip(studio, filmed, key):
     differences = clips.differences(frames, motions)
     return {**key, "values": values, "frames": pictures.strip(frames, "ink", fast),
             "differences": pictures.strip(differences, "difference", fast),
-            "plots": [pictures.plot(values, page.STEPS[name]) for name, values in steps.items()]}
+            "steps": steps}
 
 
 def film(studio, scene, surfaces, motion, frames):
@@ -119,22 +118,25 @@ def arguments(known):
     return parser.parse_args()
 
 
+# Paragraphs, and terms with what they mean.
 EXPLANATION = (
-    "Every clip is a scene, a motion, and a field: how the pattern moves. screen: fixed in the image, the "
-    "shower door. texture: on the surface. solid: on the surface, the size of its marks following the "
-    "distance (dynamic solid texture). similarity: carried by the similarity of the plane that fits the "
-    "motion of the surface best (dynamic 2D pattern). Unlit clips ask for an even tone of one half.",
+    "Every clip is a scene, a motion, and a field, which says how the pattern moves:",
+    ("screen", "fixed in the image, the shower door"),
+    ("texture", "on the surface, by places of the model"),
+    ("solid", "the same, but the size of its marks follows the distance (dynamic solid texture)"),
+    ("similarity", "carried by the similarity of the plane that fits the motion of the surface best "
+     "(dynamic 2D pattern)"),
     "People ranked such methods by how well patterns move with the surface: texture mapping and solid "
     "textures first, then dynamic 2D patterns and bidirectional advection, then the shower door (Benard "
     "et al. 2010, section 5). The slide ratio should rank them likewise; bidirectional advection is not "
-    "implemented. What moves well often looks like a surface instead of paper: see the two slopes.",
+    "implemented. What moves well may look like a surface instead of paper: see the two slopes.",
     "Green marks the best of a row. Frames are played at half the size. Differences are between a frame "
     "and the next one, moved back along the exact motion of the surface: white where the pattern sticks "
-    "to the surface, black where ink comes or goes.",
-    "The patterns lie on places of the model; where the model itself deforms, texture and solid slide, "
-    "for want of texture coordinates. Zooms cover less than an octave, in which marks grow with the "
-    "surface for all fields but the screen; the motion approach, which is too fast to tell slides, covers "
-    "three octaves and shows how marks keep their size in the end.",
+    "to the surface, black where ink comes or goes. Curves of a motion have one scale. Unlit clips ask "
+    "for an even tone of one half.",
+    "Where the model itself deforms, texture and solid slide, for want of texture coordinates. A zoom "
+    "covers less than an octave, within which all marks but those of the screen grow with the surface; "
+    "the motion approach, too fast to tell slides, covers three octaves.",
 )
 
 
@@ -149,7 +151,8 @@ def main():
     studio = Studio(SIZE)
     clips = []
     for part in REDUCED if options.reduced else ({},):
-        chosen = {axis: getattr(options, axis) or part.get(axis, known[axis]) for axis in AXES}
+        chosen = {axis: [name for name in part.get(axis, known[axis])
+                         if name in (getattr(options, axis) or known[axis])] for axis in AXES}
         clips += draw(studio, chosen, FRAMES_REDUCED if options.reduced else FRAMES)
     if not clips:
         raise SystemExit("report.py: none of these scenes has one of these motions and inks")

@@ -85,11 +85,11 @@ def rotate(frames):
 
 
 def zoom(frames):
-    return [camera_at((0, 0, DISTANCE * 1.03**-s), (0, 0, 0)) for s in steps(frames)]
+    return [camera_at((0, 0, DISTANCE * 1.026**-s), (0, 0, 0)) for s in steps(frames)]
 
 
 def roll(frames):
-    angles = [math.radians(2.0 * s) for s in steps(frames)]
+    angles = [math.radians(1.8 * s) for s in steps(frames)]
     return [camera_at((0, 0, DISTANCE), (0, 0, 0), (math.sin(a), math.cos(a), 0)) for a in angles]
 
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatternMetrics.h"
 
+#include "Core/PatternMetricsCooccurrence.h"
 #include "Core/PatternMetricsFlatness.h"
 #include "Core/PatternMetricsMotion.h"
 #include "Core/PatternMetricsStipples.h"
@@ -101,12 +102,14 @@ struct ClipInput
 {
   std::vector<hachure::MetricPlanes> frames;
   std::vector<hachure::MetricPlanes> motions;
+  std::vector<hachure::MetricPlanes> references; // at most one
   hachure::PatternClip clip;
 
   explicit ClipInput(vtkInformationVector** inputs)
     : frames(readAll(inputs[vtkPatternMetrics::FRAMES], "frame", 1, 1, inkExpected))
     , motions(
         readAll(inputs[vtkPatternMetrics::MOTIONS], "motion", 3, 5, "u, v and visible, at least"))
+    , references(readAll(inputs[vtkPatternMetrics::REFERENCE], "reference", 1, 1, inkExpected))
   {
     for (const auto& frame : this->frames)
     {
@@ -143,15 +146,12 @@ double meanOf(const std::vector<double>& values)
 }
 
 // Deviations of the ink, in units of the reference or of the first frame.
-std::vector<double> contrasts(
-  const hachure::PatternClip& clip, vtkInformationVector* reference, double minimumFacing)
+std::vector<double> contrasts(const ClipInput& input, double minimumFacing)
 {
-  std::vector<double> deviations = hachure::inkDeviations(clip, minimumFacing);
-  double unit = deviations.front();
-  if (vtkImageData* image = vtkImageData::GetData(reference))
-  {
-    unit = hachure::inkDeviation(hachure::readPlanes(image, "reference", 1, 1, inkExpected).view());
-  }
+  std::vector<double> deviations = hachure::inkDeviations(input.clip, minimumFacing);
+  const double unit = input.references.empty()
+    ? deviations.front()
+    : hachure::inkDeviation(input.references.front().view());
   for (double& deviation : deviations)
   {
     deviation = unit > 0.0 ? deviation / unit : notKnown;
@@ -159,10 +159,29 @@ std::vector<double> contrasts(
   return deviations;
 }
 
-void fillFrames(vtkTable* table, const hachure::MotionMetrics& motion,
-  const std::vector<double>& contrast, const std::vector<double>& frequencies)
+// NaN without a reference.
+hachure::CooccurrenceMetrics cooccurrenceOf(
+  const ClipInput& input, const hachure::MotionMetricsOptions& options)
 {
-  const std::size_t rows = contrast.size();
+  if (input.references.empty())
+  {
+    return { notKnown, std::vector<double>(input.clip.motions.size(), notKnown) };
+  }
+  return hachure::measureCooccurrence(input.clip, input.references.front().view(),
+    { options.wavelength, options.minimumFacing, options.smoothing });
+}
+
+// The columns that have a number for every frame with a motion.
+struct FrameColumns
+{
+  std::vector<double> contrast;
+  std::vector<double> frequencies;
+  std::vector<double> cooccurrence;
+};
+
+void fillFrames(vtkTable* table, const hachure::MotionMetrics& motion, const FrameColumns& numbers)
+{
+  const std::size_t rows = numbers.contrast.size();
   addColumn<vtkIntArray>(
     table, "Frame", rows, [](std::size_t row) { return static_cast<int>(row); });
   using Step = hachure::StepMetrics;
@@ -177,10 +196,15 @@ void fillFrames(vtkTable* table, const hachure::MotionMetrics& motion,
   }
   addColumn<vtkIntArray>(table, "Blocks", rows,
     [&](std::size_t row) { return row < steps.size() ? steps[row].blocks : 0; });
-  addColumn<vtkDoubleArray>(
-    table, "Contrast", rows, [&](std::size_t row) { return contrast[row]; });
-  addColumn<vtkDoubleArray>(
-    table, "Frequency", rows, [&](std::size_t row) { return frequencies[row]; });
+  using Numbers = FrameColumns;
+  const std::pair<const char*, std::vector<double> Numbers::*> more[] = { { "Contrast",
+                                                                            &Numbers::contrast },
+    { "Frequency", &Numbers::frequencies }, { "CooccurrenceError", &Numbers::cooccurrence } };
+  for (const auto& column : more)
+  {
+    addColumn<vtkDoubleArray>(
+      table, column.first, rows, [&](std::size_t row) { return (numbers.*column.second)[row]; });
+  }
 }
 
 double flickerOf(
@@ -236,18 +260,23 @@ bool isGiven(vtkInformationVector* inputs)
 }
 
 // What needs motions. Returns the largest motion of a block, in pixels.
-double measureMoving(const hachure::PatternClip& clip, vtkInformationVector* reference,
-  const ClipOptions& options, MetricRows& rows, vtkTable* frames)
+double measureMoving(
+  const ClipInput& input, const ClipOptions& options, MetricRows& rows, vtkTable* frames)
 {
-  const hachure::MotionMetrics motion = hachure::measureMotion(clip, options.motion);
+  const hachure::MotionMetrics motion = hachure::measureMotion(input.clip, options.motion);
   addMotionRows(motion, rows);
-  const std::vector<double> contrast = contrasts(clip, reference, options.motion.minimumFacing);
+  const std::vector<double> contrast = contrasts(input, options.motion.minimumFacing);
   rows.add("Contrast", meanOf(contrast));
   const hachure::FlatnessMetrics flatness = hachure::measureFlatness(
-    clip, transform, { options.flatnessWindow, options.motion.minimumFacing });
+    input.clip, transform, { options.flatnessWindow, options.motion.minimumFacing });
   rows.add("FacingSlope", flatness.facingSlope);
   rows.add("DistanceSlope", flatness.distanceSlope);
-  fillFrames(frames, motion, contrast, flatness.frequencies);
+  const hachure::CooccurrenceMetrics cooccurrence = cooccurrenceOf(input, options.motion);
+  if (!input.references.empty())
+  {
+    rows.add("CooccurrenceError", cooccurrence.error);
+  }
+  fillFrames(frames, motion, { contrast, flatness.frequencies, cooccurrence.frames });
   return motion.largestMotion;
 }
 
@@ -259,7 +288,7 @@ double measureClip(
   double largestMotion = 0.0;
   if (isGiven(inputs[Metrics::MOTIONS]) || !isGiven(inputs[Metrics::TONES]))
   {
-    largestMotion = measureMoving(input.clip, inputs[Metrics::REFERENCE], options, rows, frames);
+    largestMotion = measureMoving(input, options, rows, frames);
   }
   if (isGiven(inputs[Metrics::CELLS]))
   {

@@ -21,7 +21,9 @@
  *   pixel, the same number in all frames; 0 and below: none.
  * - port 4, tones: the tone that was wanted, one image for each frame or one for all of them;
  *   negative or NaN where nothing is drawn. With tones but no motions only tones are measured.
- * - port 5, reference: an image of one component, the pattern as drawn flat on paper, for Contrast.
+ * - port 5, reference: an image of one component, the pattern as drawn flat on paper in the tone
+ *   and size that the frames should have, at least three wavelengths and a border wide and high;
+ * for Contrast and CooccurrenceError.
  *
  * Output 0 has a row for each metric, with the columns Metric and Value. NaN: not defined, such as
  * the SlideRatio of a still scene.
@@ -35,6 +37,9 @@
  * - ToneFlicker: deviation over time of the mean ink of a cell, mean over cells.
  * - FacingSlope (beta), DistanceSlope (gamma): how the logarithm of the frequency of the pattern
  *   grows with that of 1/(n.v) and of the distance; 0 = flat. See FlatnessWindow.
+ * - CooccurrenceError: how far what is seen is from the reference as a texture, 0 = the same, also
+ *   where it is shifted or turned, 1 = nothing in common: the mean distance between grey-level
+ *   co-occurrence matrices (Haralick 1973) up to one wavelength. For frames of even tone.
  * - ToneError: largest difference of ink and tone over windows of deviation 1.5 wavelengths.
  *   ToneDrop: how much ink falls where tone grows, at most; 0 = monotone.
  * - ClarkEvans (R), RelativeRadius (rho), LowFrequencyPower (LF), MeanPower, AnisotropyDecibels:
@@ -42,9 +47,9 @@
  *   position, / the size of the smaller one; the least of all.
  *
  * Output 1 has a row for each frame with a motion: Frame, Coherence, Boil, Slide, Motion,
- * NormalSlide, NormalMotion, Blocks, Contrast, Frequency (periods per pixel). Output 2 has the
- * spectrum of the stipples: Frequency (in units of the root of the density), Power (1 = white
- * noise), AnisotropyDecibels, Count.
+ * NormalSlide, NormalMotion, Blocks, Contrast, Frequency (periods per pixel), CooccurrenceError.
+ * Output 2 has the spectrum of the stipples: Frequency (in units of the root of the density), Power
+ * (1 = white noise), AnisotropyDecibels, Count.
  *
  * Definitions: Core/PatternMetricsMotion.h and its neighbours.
  *

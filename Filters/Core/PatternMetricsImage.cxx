@@ -212,6 +212,42 @@ double sampleSpline(const MetricImage& coefficients, double x, double y)
   return sum;
 }
 
+void sampleSplineRow(
+  const MetricImage& coefficients, int y, double shiftX, double shiftY, std::vector<float>& row)
+{
+  const int width = coefficients.width;
+  row.assign(static_cast<std::size_t>(width), 0.0f);
+  const double floorX = std::floor(shiftX);
+  const double floorY = std::floor(shiftY);
+  const int left = static_cast<int>(floorX) - 1;
+  const int bottom = y + static_cast<int>(floorY) - 1;
+  if (bottom < 0 || bottom + 3 >= coefficients.height)
+  {
+    return;
+  }
+  double weightsX[4], weightsY[4];
+  splineWeights(shiftX - floorX, weightsX);
+  splineWeights(shiftY - floorY, weightsY);
+  const float* lines = coefficients.values.data() + static_cast<std::ptrdiff_t>(bottom) * width;
+  std::vector<float> across(row.size());
+  for (int x = 0; x < width; ++x)
+  {
+    double sum = 0.0;
+    for (int j = 0; j < 4; ++j)
+    {
+      sum += weightsY[j] * lines[static_cast<std::ptrdiff_t>(j) * width + x];
+    }
+    across[static_cast<std::size_t>(x)] = static_cast<float>(sum);
+  }
+  const int end = std::min(width, width - 3 - left);
+  for (int x = std::max(0, -left); x < end; ++x)
+  {
+    const float* taps = across.data() + x + left;
+    row[static_cast<std::size_t>(x)] = static_cast<float>(weightsX[0] * taps[0] +
+      weightsX[1] * taps[1] + weightsX[2] * taps[2] + weightsX[3] * taps[3]);
+  }
+}
+
 std::vector<std::uint8_t> eroded(
   const std::vector<std::uint8_t>& mask, int width, int height, int radius)
 {

@@ -32,6 +32,10 @@ MetricImage smoothedInside(const ImageView& image, const std::vector<std::uint8_
 // fine detail that a four-point cubic blurs, by a different amount at every fraction of a pixel.
 MetricImage splineCoefficients(const MetricImage& image);
 double sampleSpline(const MetricImage& coefficients, double x, double y);
+// sampleSpline at (x + shiftX, y + shiftY) for all x of a row, in one pass. 0 where the four by
+// four pixels around a place do not lie inside the image.
+void sampleSplineRow(
+  const MetricImage& coefficients, int y, double shiftX, double shiftY, std::vector<float>& row);
 
 // 1 where the square of `radius` pixels around is 1 and inside the image, else 0.
 std::vector<std::uint8_t> eroded(

@@ -98,18 +98,29 @@ struct Scene
         }));
     }
   }
-  double value(const std::string& name)
+  vtkIdType rowOf(const std::string& name)
   {
     vtkTable* table = this->metrics->GetOutput();
-    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+    vtkIdType row = table->GetNumberOfRows() - 1;
+    while (row >= 0 && table->GetValueByName(row, "Metric").ToString() != name)
     {
-      if (table->GetValueByName(row, "Metric").ToString() == name)
-      {
-        return table->GetValueByName(row, "Value").ToDouble();
-      }
+      --row;
     }
-    std::cerr << "No metric " << name << "\n";
-    return -1e9;
+    return row;
+  }
+  double value(const std::string& name)
+  {
+    const vtkIdType row = this->rowOf(name);
+    if (row < 0)
+    {
+      std::cerr << "No metric " << name << "\n";
+      return -1e9;
+    }
+    return this->metrics->GetOutput()->GetValueByName(row, "Value").ToDouble();
+  }
+  double ofFrame(vtkIdType frame, const char* name)
+  {
+    return this->metrics->GetOutput(1)->GetValueByName(frame, name).ToDouble();
   }
   bool refuses(const std::string& message)
   {
@@ -153,6 +164,28 @@ bool measuresClips()
   return good;
 }
 
+bool comparesWithTheReference()
+{
+  Scene none;
+  none.addMotions(2);
+  none.metrics->Update();
+  bool good = require(none.rowOf("CooccurrenceError") < 0, "no error without a reference") &&
+    require(std::isnan(none.ofFrame(0, "CooccurrenceError")), "nor of a frame");
+  for (const double stretch : { 1.0, 2.0 })
+  {
+    Scene scene;
+    scene.addMotions(2);
+    scene.metrics->SetReference(makeImage(1,
+      [stretch](double x, double y, int) { return ink(10.0 - y / stretch, x); })); // turned by 90
+    scene.metrics->Update();
+    const double error = scene.value("CooccurrenceError");
+    good &= require(!scene.observer->GetError(), "no error message");
+    good &= require(stretch > 1.0 ? error > 0.1 : error < 0.03, "error " + std::to_string(error));
+    good &= require(std::abs(scene.ofFrame(1, "CooccurrenceError") - error) < 0.03, "of a frame");
+  }
+  return good;
+}
+
 bool measuresTones()
 {
   Scene scene(0.0, 2);
@@ -190,6 +223,52 @@ bool measuresStipples()
     require(scene.metrics->GetOutput(2)->GetNumberOfRows() == 16, "a spectrum of 16 rings");
 }
 
+bool wrongMotionsAreRefused()
+{
+  const auto steady = [](double, double, int k) { return k < 2 ? shift[k] : 1.0; };
+  Scene narrow;
+  narrow.addMotions(1);
+  narrow.metrics->AddMotion(makeImage(3, steady, 50));
+  bool good = narrow.refuses("motion 1: 50 x 96 pixels, expected the size of frame 0, 96 x 96");
+  const char* const messages[] = { "motion 0: motion nan at pixel (3, 2), expected finite pixels",
+    "motion 0: motion nan at pixel (3, 2)", "motion 0: visible nan at pixel (3, 2)",
+    "motion 0: facing nan at pixel (3, 2)", "motion 0: distance nan at pixel (3, 2)" };
+  for (int broken = 0; broken < 5; ++broken)
+  {
+    Scene scene(1.0, 2);
+    scene.metrics->AddMotion(makeImage(5,
+      [=](double x, double y, int k)
+      {
+        return k == broken && x == 3 && y == 2 ? std::numeric_limits<double>::quiet_NaN()
+                                               : steady(x, y, k);
+      }));
+    good &= scene.refuses(messages[broken]);
+  }
+  Scene tones(0.0, 3);
+  tones.metrics->AddTone(makeImage(1, [](double, double, int) { return 0.5; }));
+  tones.metrics->AddTone(makeImage(1, [](double, double, int) { return 0.5; }));
+  return good & tones.refuses("tones: 2 for 3 frames");
+}
+
+bool wrongReferencesAreRefused()
+{
+  const auto refused = [](vtkSmartPointer<vtkImageData> reference, const char* message)
+  {
+    Scene scene;
+    scene.addMotions(2);
+    scene.metrics->SetReference(reference);
+    return scene.refuses(message);
+  };
+  const auto even = [](double, double, int) { return 0.5; };
+  return refused(vtkSmartPointer<vtkImageData>::New(), "reference 0: 0 x 0 x 0 pixels") &
+    refused(makeImage(1, even, 41), "reference: 41 x 96 pixels, expected at least 42 x 42") &
+    refused(makeImage(3, even), "reference 0: scalars 'ImageScalars' have 3 components") &
+    refused(makeImage(1,
+              [](double x, double y, int)
+              { return x + y > 0 ? 0.5 : std::numeric_limits<double>::quiet_NaN(); }),
+      "reference: ink nan at pixel (0, 0)");
+}
+
 bool wrongInputIsRefused()
 {
   bool good = Scene(1.0, 0).refuses("Nothing to measure");
@@ -217,6 +296,7 @@ bool wrongInputIsRefused()
     { return x == 2 && y == 1 ? std::numeric_limits<double>::quiet_NaN() : 0.5; }));
   broken.addMotions(3);
   good &= broken.refuses("frame 3: ink nan at pixel (2, 1)");
+  good &= wrongMotionsAreRefused() && wrongReferencesAreRefused();
   Scene colours;
   colours.metrics->AddFrame(makeImage(3, [](double, double, int) { return 0.5; }));
   good &=
@@ -247,8 +327,8 @@ bool fastMotionIsNoted()
 
 int TestPatternMetrics(int, char*[])
 {
-  const bool good[] = { measuresClips(), measuresTones(), measuresStipples(), wrongInputIsRefused(),
-    fastMotionIsNoted() };
+  const bool good[] = { measuresClips(), comparesWithTheReference(), measuresTones(),
+    measuresStipples(), wrongInputIsRefused(), fastMotionIsNoted() };
   return std::all_of(std::begin(good), std::end(good), [](bool one) { return one; }) ? EXIT_SUCCESS
                                                                                      : EXIT_FAILURE;
 }

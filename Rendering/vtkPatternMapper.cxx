@@ -10,8 +10,10 @@
 #include "vtkCamera.h"
 #include "vtkCameraInterpolator.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkIntArray.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -32,6 +34,7 @@
 #include "vtkRenderer.h"
 #include "vtkSelection.h"
 #include "vtkShaderProgram.h"
+#include "vtkTable.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -41,6 +44,7 @@
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <stdexcept>
 
 vtkStandardNewMacro(vtkPatternMapper);
 
@@ -233,6 +237,27 @@ void Store(const hachure::PatternFrame& from, double frame[6])
   const double values[6] = { from.origin.x, from.origin.y, from.u.x, from.u.y, from.v.x, from.v.y };
   std::copy(values, values + 6, frame);
 }
+
+void Store(const std::vector<hachure::PatchResidual>& from, vtkTable* table)
+{
+  vtkNew<vtkIntArray> patches;
+  vtkNew<vtkDoubleArray> residuals;
+  vtkNew<vtkDoubleArray> weights;
+  patches->SetName("PatchId");
+  residuals->SetName("Residual");
+  weights->SetName("Weight");
+  for (std::size_t patch = 0; patch < from.size(); ++patch)
+  {
+    patches->InsertNextValue(static_cast<int>(patch));
+    residuals->InsertNextValue(from[patch].residual);
+    weights->InsertNextValue(from[patch].weight);
+  }
+  for (vtkDataArray* column : { static_cast<vtkDataArray*>(patches),
+         static_cast<vtkDataArray*>(residuals), static_cast<vtkDataArray*>(weights) })
+  {
+    table->AddColumn(column);
+  }
+}
 } // namespace
 
 bool vtkPatternMapper::GetDrawnFrame(vtkRenderer* renderer, double frame[6])
@@ -264,6 +289,30 @@ double vtkPatternMapper::GetResidual(vtkRenderer* renderer)
   vtkPatternViewContext* context = vtkPatternViewContext::Find(renderer);
   auto* track = context ? context->FindTrack(this, nullptr) : nullptr;
   return track && !track->Tracker.residual().empty() ? track->Tracker.residual()[0] : -1.0;
+}
+
+bool vtkPatternMapper::GetPatchResiduals(
+  vtkRenderer* renderer, double minimumFacing, vtkTable* residuals)
+{
+  residuals->Initialize();
+  vtkPatternViewContext* context = vtkPatternViewContext::Find(renderer);
+  const auto* track = context ? context->FindTrack(this, nullptr) : nullptr;
+  if (!track || !this->Style || track->Tracker.drawn().empty() ||
+    track->SetVersion != track->Samples.GetSetVersion() ||
+    this->Style->GetTrackingMode() == vtkPatternStyle::ANCHORED)
+  {
+    return false;
+  }
+  try
+  {
+    Store(track->Tracker.residualOver(track->Samples.Tracked(), minimumFacing), residuals);
+  }
+  catch (const std::invalid_argument& problem)
+  {
+    vtkErrorMacro(<< problem.what());
+    return false;
+  }
+  return true;
 }
 
 std::vector<hachure::PatternFrame> vtkPatternMapper::AnchoredFrames(

@@ -53,6 +53,7 @@ struct ViewProjection;
 class vtkCameraInterpolator;
 class vtkPatternStyle;
 class vtkShaderProgram;
+class vtkTable;
 
 class HACHURERENDERING_EXPORT vtkPatternMapper : public VTK_PATTERN_MAPPER_SUPERCLASS
 {
@@ -130,6 +131,16 @@ public:
    * weighted by the visible area; negative before the first frame.
    */
   virtual double GetResidual(vtkRenderer* renderer);
+
+  /**
+   * The same for every patch, over the samples whose n.v is at least minimumFacing in the last
+   * picture; -1 (all samples) to 1. Fills a table with the columns PatchId, Residual (logical
+   * pixels, 0 where no sample counts) and Weight (of the samples that count: square pixels of the
+   * discs that they stand for, or a number of samples if unweighted). Returns false, with an empty
+   * table, before the first frame, where the surface was replaced since, and in the tracking mode
+   * ANCHORED.
+   */
+  virtual bool GetPatchResiduals(vtkRenderer* renderer, double minimumFacing, vtkTable* residuals);
 
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;

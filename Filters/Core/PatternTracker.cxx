@@ -269,6 +269,47 @@ void PatternTracker::measureStep(const Picture& picture, Step& step)
   }
 }
 
+std::vector<PatchResidual> PatternTracker::residualOver(
+  const TrackedSamples& samples, double minimumFacing) const
+{
+  if (!(minimumFacing >= -1.0 && minimumFacing <= 1.0))
+  {
+    throw std::invalid_argument("PatternTracker::residualOver: minimumFacing is " +
+      std::to_string(minimumFacing) + ", expected -1 to 1");
+  }
+  if (!this->started)
+  {
+    return {};
+  }
+  if (!this->matches(samples))
+  {
+    throw std::invalid_argument("PatternTracker::residualOver: samples has " +
+      std::to_string(samples.positions.size()) +
+      " elements or other patches, expected those of the last advance, " +
+      std::to_string(this->now.samples.size()));
+  }
+  // The drawn step was predicted with the visibility of the frame that it starts from.
+  const std::vector<std::uint8_t>& known = this->base.visibility;
+  PatchFits fits = this->fitStep(this->base, known, this->now, known).patches;
+  for (SimilarityFit& fit : fits.fits)
+  {
+    fit.weight = 0.0;
+  }
+  const std::vector<double> facing = sampleFacing(samples, this->view);
+  for (std::size_t i = 0; i < facing.size(); ++i)
+  {
+    fits.weights[i] = facing[i] < minimumFacing ? 0.0 : fits.weights[i];
+    fits.fits[static_cast<std::size_t>(this->patches[i])].weight += fits.weights[i];
+  }
+  measureResiduals(fits, { this->base.samples, {} }, { this->now.samples, {} }, this->patches);
+  std::vector<PatchResidual> result;
+  for (const SimilarityFit& fit : fits.fits)
+  {
+    result.push_back({ fit.residual, fit.weight });
+  }
+  return result;
+}
+
 bool PatternTracker::advance(const TrackedSamples& samples, const ViewProjection& newView)
 {
   Picture picture;

@@ -35,6 +35,13 @@ struct TrackerOptions
   double minimumCorrelation = 0.25; // ... it resembles no similarity (SimilarityFit::correlation)
 };
 
+// How far the pattern of a patch slid over some of its samples.
+struct PatchResidual
+{
+  double residual; // weighted mean in pixels, 0 where no sample counts
+  double weight;   // of the samples that count, common to both frames of the step
+};
+
 class PatternTracker
 {
 public:
@@ -67,6 +74,11 @@ public:
   Span<const PatternFrame> committed() const;
   // Weighted mean distance in pixels by which the pattern slid over the surface in the drawn step.
   Span<const double> residual() const { return this->stepResidual; }
+  // The same over the samples that are turned to the eye by at least minimumFacing in the drawn
+  // frame; -1 = all of them, else n.v. `samples` are those of the last advance. Empty before the
+  // first frame. Throws std::invalid_argument on other samples and a limit outside [-1, 1].
+  std::vector<PatchResidual> residualOver(
+    const TrackedSamples& samples, double minimumFacing) const;
   Span<const FitStatus> status() const { return this->stepStatus; }
   // 1 where the drawn frame was anchored, 0 where it continues the frame before.
   Span<const std::uint8_t> anchored() const { return this->now.anchored; }

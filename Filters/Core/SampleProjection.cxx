@@ -195,6 +195,29 @@ void checkView(const ViewProjection& view)
   }
 }
 
+std::vector<double> sampleFacing(const TrackedSamples& samples, const ViewProjection& view)
+{
+  checkSamples(samples);
+  checkView(view);
+  const glm::dmat3 normalToView = glm::transpose(glm::inverse(glm::dmat3(view.modelToView)));
+  const glm::dmat4 rows = glm::transpose(view.viewToClip);
+  const bool parallel = glm::dvec3(rows[3]) == glm::dvec3(0.0);
+  std::vector<double> facing(samples.positions.size());
+  parallelForRanges(static_cast<std::int64_t>(facing.size()), samplesPerThread,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        const glm::dvec3 normal = normalToView * samples.normals[i];
+        const glm::dvec3 place(view.modelToView * glm::dvec4(samples.positions[i], 1.0));
+        const glm::dvec3 toEye = parallel ? glm::dvec3(0.0, 0.0, 1.0) : -place;
+        const double lengths = glm::length(normal) * glm::length(toEye);
+        facing[i] = lengths > 0.0 ? glm::dot(normal, toEye) / lengths : 0.0;
+      }
+    });
+  return facing;
+}
+
 std::vector<ProjectedSample> projectSamples(
   const TrackedSamples& samples, const ViewProjection& view, FacingRule facing)
 {

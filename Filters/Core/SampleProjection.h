@@ -62,6 +62,10 @@ constexpr double frustumMargin = 1.2;
 std::vector<ProjectedSample> projectSamples(
   const TrackedSamples& samples, const ViewProjection& view, FacingRule facing);
 
+// n.v of every sample: the cosine of the angle between its normal and the way to the eye, below 0
+// for a surface seen from its inner side; 0 where the normal is. Throws as projectSamples does.
+std::vector<double> sampleFacing(const TrackedSamples& samples, const ViewProjection& view);
+
 // 1 + the highest patch, 0 without samples.
 std::size_t patchCount(const TrackedSamples& samples);
 

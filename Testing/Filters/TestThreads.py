@@ -8,8 +8,9 @@ import subprocess
 import sys
 
 import hachure
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkDataObject
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkCamera
 
@@ -43,6 +44,29 @@ def camera_at(azimuth):
     return camera
 
 
+def image(values):
+    """An image with the components values[row, column, component]."""
+    result = vtkImageData()
+    result.SetDimensions(values.shape[1], values.shape[0], 1)
+    flat = values.reshape(values.shape[0] * values.shape[1], -1).astype(numpy.float32)
+    result.GetPointData().SetScalars(numpy_to_vtk(flat, deep=1))
+    return result
+
+
+def metrics_of_waves():
+    """All that is measured of a moving pattern."""
+    y, x = numpy.mgrid[0:150, 0:160].astype(float)
+    metrics = hachure.vtkPatternMetrics()
+    for time in range(3):
+        metrics.AddFrame(image(
+            0.5 + 0.2 * numpy.sin(0.8 * x - 1.1 * time) + 0.2 * numpy.sin(0.7 * y + 0.2 * x)))
+        metrics.AddMotion(image(numpy.dstack(
+            [x * 0 + 1.3, y * 0 + 0.4, x * 0 + 1, numpy.exp(-x / 200), 5 + 0.01 * y + time])))
+        metrics.AddTone(image(x * 0 + 0.5))
+    metrics.SetReference(image(0.5 + 0.4 * numpy.sin(0.7 * x + 0.3 * y)))
+    return metrics
+
+
 def digests():
     surface = vtkSphereSource()
     surface.SetThetaResolution(200)
@@ -60,7 +84,7 @@ def digests():
     table = hachure.vtkToneCorrectionTable()
     table.SetInputConnection(pattern.GetOutputPort())
     results = []
-    for filter_ in (sampler, tracker, pattern, table):
+    for filter_ in (sampler, tracker, pattern, table, metrics_of_waves()):
         filter_.Update()
         results.append(filter_.GetClassName() + " " + digest(filter_.GetOutput()))
     return "\n".join(results)
@@ -80,5 +104,5 @@ outputs = [
     ).stdout
     for threads in ("1", "8")
 ]
-assert outputs[0].count("\n") == 4, outputs[0]
+assert outputs[0].count("\n") == 5, outputs[0]
 assert outputs[0] == outputs[1], "\n".join(outputs)

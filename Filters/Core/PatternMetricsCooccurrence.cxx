@@ -19,8 +19,8 @@ namespace
 {
 
 constexpr int levels = 8; // of ink
-constexpr int directions =
-  16; // over half a turn; pairs count both ways. With 8, straight strokes show which way they lie.
+// Over half a turn; pairs count both ways. With 8, straight strokes show which way they lie.
+constexpr int directions = 16;
 constexpr int distances = 4; // equal steps up to one wavelength
 constexpr std::int64_t rowsPerRange = 16;
 constexpr int splineReach = 3; // pixels around a place that its interpolated ink depends on

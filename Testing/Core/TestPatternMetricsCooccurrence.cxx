@@ -156,9 +156,9 @@ TEST(PatternMetricsCooccurrence, UsablePixelsAlone)
   for (std::size_t i = 0; i < ink.size(); ++i)
   {
     const std::size_t x = i % size;
-    if (x >= 60 && x < 64)
+    if (x % 52 >= 30)
     {
-      ink[i] = 0.5f;
+      ink[i] = 1.0f;
       clip.motions[0].visible[i] = 0.0f;
     }
     if (x >= 130)
@@ -171,7 +171,8 @@ TEST(PatternMetricsCooccurrence, UsablePixelsAlone)
   clip.motions[1].visible.assign(ink.size(), 0.0f);
   clip.motions[1].visible[0] = 1.0f;
   const ImageView whole{ size, size, reference };
-  const CooccurrenceMetrics metrics = measureCooccurrence(clip.view(), whole);
+  const CooccurrenceMetrics metrics =
+    measureCooccurrence(clip.view(), whole, { 2.0 * wavelength, 0.3, 1.0 });
   ASSERT_EQ(metrics.frames.size(), 2u);
   EXPECT_LT(metrics.frames[0], 0.03);
   EXPECT_TRUE(std::isnan(metrics.frames[1])) << "no pair in sight";

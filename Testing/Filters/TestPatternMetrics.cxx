@@ -247,12 +247,13 @@ bool wrongMotionsAreRefused()
   Scene tones(0.0, 3);
   tones.metrics->AddTone(makeImage(1, [](double, double, int) { return 0.5; }));
   tones.metrics->AddTone(makeImage(1, [](double, double, int) { return 0.5; }));
-  return good & tones.refuses("tones: 2 for 3 frames");
+  good &= tones.refuses("tones: 2 for 3 frames");
+  return good;
 }
 
 bool wrongReferencesAreRefused()
 {
-  const auto refused = [](vtkSmartPointer<vtkImageData> reference, const char* message)
+  const auto refused = [](vtkImageData* reference, const char* message)
   {
     Scene scene;
     scene.addMotions(2);
@@ -260,13 +261,13 @@ bool wrongReferencesAreRefused()
     return scene.refuses(message);
   };
   const auto even = [](double, double, int) { return 0.5; };
-  return refused(vtkSmartPointer<vtkImageData>::New(), "reference 0: 0 x 0 x 0 pixels") &
-    refused(makeImage(1, even, 41), "reference: 41 x 96 pixels, expected at least 42 x 42") &
-    refused(makeImage(3, even), "reference 0: scalars 'ImageScalars' have 3 components") &
-    refused(makeImage(1,
-              [](double x, double y, int)
-              { return x + y > 0 ? 0.5 : std::numeric_limits<double>::quiet_NaN(); }),
-      "reference: ink nan at pixel (0, 0)");
+  const auto broken = [](double x, double y, int)
+  { return x + y > 0 ? 0.5 : std::numeric_limits<double>::quiet_NaN(); };
+  bool good = refused(vtkNew<vtkImageData>(), "reference 0: 0 x 0 x 0 pixels");
+  good &= refused(makeImage(1, even, 41), "reference: 41 x 96 pixels, expected at least 42 x 42");
+  good &= refused(makeImage(3, even), "reference 0: scalars 'ImageScalars' have 3 components");
+  good &= refused(makeImage(1, broken), "reference: ink nan at pixel (0, 0)");
+  return good;
 }
 
 bool wrongInputIsRefused()

@@ -54,6 +54,7 @@ def check_order(rows):
         assert abs(slides["screen"] - 1) <= 0.01, (motion, slides)
         assert max(slides["texture"], slides["solid"]) < 0.005, (motion, slides)
         assert 0.01 < slides["similarity"] < 0.5, (motion, slides)
+    assert value(rows, "roll", "texture", "SlideRatio") < 0.005
     for motion in SIMILARITY:
         assert value(rows, motion, "screen", "MeanMotion") > 1.0, "nothing moved"
 

@@ -24,7 +24,7 @@ AXES = ("scene", "motion", "field", "ink", "lighting")
 FLAT_NOISE = {"ink": ["noise"], "lighting": ["unlit"]}
 REDUCED = (
     {"scene": ["sphere"], "motion": ["translate", "rotate", "zoom"], **FLAT_NOISE},
-    {"scene": ["sphere"], "motion": ["roll"], "field": ["screen", "similarity"], **FLAT_NOISE},
+    {"scene": ["sphere"], "motion": ["roll"], "field": ["screen", "texture", "similarity"], **FLAT_NOISE},
     {"scene": ["plane"], "motion": ["approach"], "field": ["similarity"], **FLAT_NOISE},
 )
 # Strokes tell little more than noise: scenes that show them all the same.

@@ -38,7 +38,7 @@ def chosen(count, spread):
 
 
 def strip(pictures, title, spread=False):
-    """Some of the pictures at half the size, played to and fro."""
+    """Some of the pictures at half the size, played forth and back."""
     row = numpy.hstack([pictures[i] for i in chosen(len(pictures), spread)])
     address = png(row.reshape(SIDE, 2, SIDE * SHOWN, 2).mean(axis=(1, 3)))
     return ('<div class="strip six" role="img" aria-label="%s" style="background-image:url(%s)"></div>'

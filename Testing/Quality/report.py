@@ -19,7 +19,7 @@ import sys
 SYSTEM_PYTHON = "/usr/bin/python3"
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 SIZE = 320
-FRAMES, FRAMES_REDUCED = 16, 8
+FRAMES, FRAMES_REDUCED = 16, 7
 AXES = ("scene", "motion", "field", "ink", "lighting")
 FLAT_NOISE = {"ink": ["noise"], "lighting": ["unlit"]}
 REDUCED = (
@@ -79,12 +79,12 @@ def film(studio, scene, surfaces, motion, frames):
 
 
 def draw(studio, chosen, frames):
-    """All clips of the chosen scenes, motions, fields, inks and lightings."""
+    """The clips of the chosen scenes, motions, fields, inks and lightings, a list for each scene."""
     import scenes
-    result = []
     for scene in chosen["scene"]:
         surfaces = scenes.SCENES[scene]()
         inks = [ink for ink in chosen["ink"] if ink not in scenes.STROKES or scene in STROKE_SCENES]
+        result = []
         for motion in chosen["motion"]:
             filmed = film(studio, scene, surfaces, motion, frames)
             names = itertools.product(chosen["field"], inks, chosen["lighting"]) if filmed else ()
@@ -93,7 +93,7 @@ def draw(studio, chosen, frames):
                 result.append(draw_clip(studio, filmed, key))
                 print(*key.values(), "%s %.4f" % next(iter(result[-1]["values"].items())), sep=", ",
                       flush=True)
-    return result
+        yield result
 
 
 def rows(clips):
@@ -140,10 +140,17 @@ EXPLANATION = (
 )
 
 
+def write(clips, folder):
+    import page
+    with open(os.path.join(folder, "quality.json"), "w", encoding="utf-8") as file:
+        json.dump(rows(clips), file, indent=1, allow_nan=False)
+    with open(os.path.join(folder, "quality.html"), "w", encoding="utf-8") as file:
+        file.write(page.page(clips, EXPLANATION))
+
+
 def main():
     find_vtk()
     sys.path[:0] = [FOLDER, os.path.dirname(FOLDER)]
-    import page
     from studio import Studio
     known = choices()
     options = arguments(known)
@@ -153,13 +160,12 @@ def main():
     for part in REDUCED if options.reduced else ({},):
         chosen = {axis: [name for name in part.get(axis, known[axis])
                          if name in (getattr(options, axis) or known[axis])] for axis in AXES}
-        clips += draw(studio, chosen, FRAMES_REDUCED if options.reduced else FRAMES)
+        for of_scene in draw(studio, chosen, FRAMES_REDUCED if options.reduced else FRAMES):
+            clips += of_scene
+            if of_scene:
+                write(clips, options.out)
     if not clips:
         raise SystemExit("report.py: none of these scenes has one of these motions and inks")
-    with open(os.path.join(options.out, "quality.json"), "w", encoding="utf-8") as file:
-        json.dump(rows(clips), file, indent=1, allow_nan=False)
-    with open(os.path.join(options.out, "quality.html"), "w", encoding="utf-8") as file:
-        file.write(page.page(clips, EXPLANATION))
 
 
 if __name__ == "__main__":

@@ -65,6 +65,7 @@ class Studio:
         self.window.SetOffScreenRendering(True)
         self.window.SetMultiSamples(0)
         self.window.SetSize(size, size)
+        self.references = {}
 
     def motions(self, states, cameras):
         """Motion from every frame to the next; the last one, to itself, tells where surface is."""
@@ -113,8 +114,10 @@ class Studio:
 
     def reference(self, ink):
         """The ink as drawn flat on paper: in the whole picture and with an even tone."""
-        style = scenes.new_style("screen", ink, "unlit")
-        return self.inks([[objects.square()]], scenes.still(1), style)[0]
+        if ink not in self.references:
+            style = scenes.new_style("screen", ink, "unlit")
+            self.references[ink] = self.inks([[objects.square()]], scenes.still(1), style)[0]
+        return self.references[ink]
 
     def cells(self, rest, states, cameras):
         """For every frame the cell of the objects seen at each pixel, 0 where there is none.

@@ -21,6 +21,12 @@
 
 vtkStandardNewMacro(vtkToneCorrectionTable);
 
+static_assert(vtkToneCorrectionTable::NO_TRANSITION == int(hachure::LodTransition::none) &&
+    vtkToneCorrectionTable::BLEND_SCREENS == int(hachure::LodTransition::blendScreens) &&
+    vtkToneCorrectionTable::TRANSITION_ONLY == int(hachure::ToneCorrection::transitionOnly) &&
+    vtkToneCorrectionTable::NO_CORRECTION == int(hachure::ToneCorrection::off),
+  "the same order on both sides");
+
 namespace
 {
 
@@ -51,8 +57,9 @@ void writeTable(const hachure::ToneTable& table, vtkImageData* image)
 int vtkToneCorrectionTable::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  const hachure::ToneTable table; // for its size
-  const int extent[6] = { 0, table.tones - 1, 0, table.steps - 1, 0, 0 };
+  const int tones = hachure::ToneTable().tones;
+  const int steps = hachure::tableRows(static_cast<hachure::LodTransition>(this->Transition));
+  const int extent[6] = { 0, tones - 1, 0, steps - 1, 0, 0 };
   const double origin[3] = { 0.0, 0.0, 0.0 };
   const double spacing[3] = { 1.0, 1.0, 1.0 };
   vtkInformation* information = outputVector->GetInformationObject(0);
@@ -93,7 +100,8 @@ int vtkToneCorrectionTable::RequestData(
     options.texelsPerPixelAtScale1 = tile.width / (tile.periods * this->PeriodInPixels);
     options.lodStart = this->LodStart;
     options.lodEnd = this->LodEnd;
-    options.lodBlending = this->LodBlending;
+    options.transition = static_cast<hachure::LodTransition>(this->Transition);
+    options.correction = static_cast<hachure::ToneCorrection>(this->ToneCorrection);
     writeTable(hachure::buildToneTable(hachure::mipChain(tile), options), output);
   }
   catch (const std::invalid_argument& error)
@@ -111,5 +119,6 @@ void vtkToneCorrectionTable::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PeriodInPixels: " << this->PeriodInPixels << "\n";
   os << indent << "LodStart: " << this->LodStart << "\n";
   os << indent << "LodEnd: " << this->LodEnd << "\n";
-  os << indent << "LodBlending: " << this->LodBlending << "\n";
+  os << indent << "Transition: " << this->Transition << "\n";
+  os << indent << "ToneCorrection: " << this->ToneCorrection << "\n";
 }

@@ -5,14 +5,16 @@
  * @brief   thresholds that make the ink of a pattern, as drawn, equal the tone
  *
  * The input is a pattern image with the point arrays Screen and Gradient, as vtkPatternImageSource
- * makes it. Drawing it filters it, softens its edges by a pixel and blends it with its half-size
+ * makes it. Drawing it filters it, softens its edges by a pixel and mixes it with its half-size
  * copy while it is scaled; all of this changes how much is inked at a threshold. This filter draws
- * the pattern at 48 steps of scale, measures the ink and inverts the measurement (Breslav et al.
- * 2007, section 3.3).
+ * the pattern at many steps of scale, measures the ink and inverts the measurement (Breslav et al.
+ * 2007, section 3.5).
  *
- * The output is an image of 256 x 48 floats, Threshold: x is the tone, 0 to 1, y the step of scale,
- * from 1 at the bottom to 2 at the top, more densely between LodStart and LodEnd. Between its
- * points it is to be interpolated linearly. tableColumn and tableRow in
+ * The output is an image of 256 x 96 floats, 256 x 48 unless screens blend, Threshold: x is the
+ * tone, 0 to 1, y the step of scale. With BLEND_SCREENS the scale goes from 1 at the bottom to 2 at
+ * the top, more densely between LodStart and LodEnd; otherwise the table is that of one of the two
+ * octaves that are drawn, each with its own scale, from 1/2 to 2 by equal factors. Between its
+ * points the table is to be interpolated linearly. tableColumn, tableRow and octaveRow in
  * Core/Kernels/PatternField.glsl give the place of a tone and a scale. Its field data repeats
  * TexelsPerPixel, LodStart and LodEnd.
  */
@@ -53,11 +55,34 @@ public:
 
   ///@{
   /**
-   * Whether the half-size copy takes over at all. Default on.
+   * How the half-size copy takes over. NO_TRANSITION: it does not. CROSS_FADE: the inks of both are
+   * mixed, so that marks keep their shape. BLEND_SCREENS (the default): their screens are mixed, so
+   * that marks change it.
    */
-  vtkSetMacro(LodBlending, bool);
-  vtkGetMacro(LodBlending, bool);
-  vtkBooleanMacro(LodBlending, bool);
+  enum TransitionType
+  {
+    NO_TRANSITION = 0,
+    CROSS_FADE = 1,
+    BLEND_SCREENS = 2
+  };
+  vtkSetClampMacro(Transition, int, NO_TRANSITION, BLEND_SCREENS);
+  vtkGetMacro(Transition, int);
+  ///@}
+
+  ///@{
+  /**
+   * Which difference between tone and ink is removed. FULL_CORRECTION (the default): all, mean ink
+   * is the tone. TRANSITION_ONLY: what changes with the scale; ink stays what the screen itself
+   * gives at scale 1. NO_CORRECTION: none, the threshold is the tone.
+   */
+  enum ToneCorrectionType
+  {
+    FULL_CORRECTION = 0,
+    TRANSITION_ONLY = 1,
+    NO_CORRECTION = 2
+  };
+  vtkSetClampMacro(ToneCorrection, int, FULL_CORRECTION, NO_CORRECTION);
+  vtkGetMacro(ToneCorrection, int);
   ///@}
 
 protected:
@@ -74,7 +99,8 @@ protected:
   double PeriodInPixels = 8.0;
   double LodStart = 1.3;
   double LodEnd = 1.7;
-  bool LodBlending = true;
+  int Transition = BLEND_SCREENS;
+  int ToneCorrection = FULL_CORRECTION;
 
 private:
   vtkToneCorrectionTable(const vtkToneCorrectionTable&) = delete;

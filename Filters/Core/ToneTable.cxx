@@ -14,11 +14,11 @@ namespace hachure
 namespace
 {
 
-// Places at which the drawn screen is measured, spread over the tile by a golden-ratio sequence
-// (Roberts' R2), which misses areas by far less than random places do.
-constexpr int measuredPlaces = 12000;
-constexpr double placeStepU = 0.7548776662466927;
-constexpr double placeStepV = 0.5698402909980532;
+// Places at which the drawn screen is measured: a lattice of Fibonacci numbers over the tile, which
+// misses areas by far less than random places do. An odd lattice is its own image under the doubled
+// coordinates of the half-size copy, so that both octaves are measured alike.
+constexpr std::int64_t measuredPlaces = 28657;
+constexpr std::int64_t placeStep = 17711;
 // Bins of the threshold axis. Kinks are split between bins, so that the response is exact at their
 // borders.
 constexpr int responseBins = 2048;
@@ -63,34 +63,42 @@ glm::vec2 trilinear(Span<const PatternTile> mips, double u, double v, float leve
   return glm::mix(near, bilinear(mips[lower + 1], wrappedU, wrappedV), fraction);
 }
 
-float blendAt(const ToneTableOptions& options, float scale)
+bool blendsScreens(const ToneTableOptions& options)
 {
-  return options.lodBlending ? glsl::lodBlend(scale, static_cast<float>(options.lodStart),
-                                 static_cast<float>(options.lodEnd))
-                             : 0.0f;
+  return options.transition == LodTransition::blendScreens;
 }
 
-glm::vec2 fieldAt(
-  Span<const PatternTile> mips, const ToneTableOptions& options, double u, double v, float scale)
+float blendAt(const ToneTableOptions& options, float scale)
 {
-  const float footprint = static_cast<float>(options.texelsPerPixelAtScale1) / scale;
-  const float blend = blendAt(options, scale);
+  return options.transition == LodTransition::none
+    ? 0.0f
+    : glsl::lodBlend(
+        scale, static_cast<float>(options.lodStart), static_cast<float>(options.lodEnd));
+}
+
+// Screen and width at a footprint, with `blend` of the half-size copy.
+glm::vec2 fieldAt(
+  Span<const PatternTile> mips, float texelsPerPixel, float blend, double u, double v)
+{
   const glm::vec2 first =
-    blend < 1.0f ? trilinear(mips, u, v, glsl::tileLevel(footprint)) : glm::vec2(0.0f);
+    blend < 1.0f ? trilinear(mips, u, v, glsl::tileLevel(texelsPerPixel)) : glm::vec2(0.0f);
   const glm::vec2 second = blend > 0.0f
-    ? trilinear(mips, 2.0 * u, 2.0 * v, glsl::tileLevel(2.0f * footprint))
+    ? trilinear(mips, 2.0 * u, 2.0 * v, glsl::tileLevel(2.0f * texelsPerPixel))
     : glm::vec2(0.0f);
-  return glsl::patternField(first, second, blend, footprint);
+  return glsl::patternField(first, second, blend, texelsPerPixel);
 }
 
 std::vector<glm::vec2> measureFields(
-  Span<const PatternTile> mips, const ToneTableOptions& options, float scale)
+  Span<const PatternTile> mips, float texelsPerPixel, float blend)
 {
   std::vector<glm::vec2> fields;
   fields.reserve(measuredPlaces);
-  for (int i = 0; i < measuredPlaces; ++i)
+  for (std::int64_t i = 0; i < measuredPlaces; ++i)
   {
-    fields.push_back(fieldAt(mips, options, i * placeStepU, i * placeStepV, scale));
+    constexpr double share = 1.0 / measuredPlaces;
+    const double u = share * static_cast<double>(i);
+    const double v = share * static_cast<double>(i * placeStep % measuredPlaces);
+    fields.push_back(fieldAt(mips, texelsPerPixel, blend, u, v));
   }
   return fields;
 }
@@ -144,25 +152,77 @@ Response measureResponse(const std::vector<glm::vec2>& fields)
   return response;
 }
 
-void invertResponse(const Response& response, float* threshold, int tones)
+// Ink at a threshold; 0 below and 1 above what was measured.
+double inkAt(const Response& response, double threshold)
 {
-  const int last = responseBins;
+  const double at = std::clamp<double>((threshold - response.low) / response.bin, 0, responseBins);
+  const int bin = std::min(static_cast<int>(at), responseBins - 1);
+  return response.ink[bin] + (at - bin) * (response.ink[bin + 1] - response.ink[bin]);
+}
+
+// Thresholds that give these inks, which must ascend.
+void invertResponse(const Response& response, const std::vector<double>& inks, float* threshold)
+{
   int bin = 0;
-  for (int i = 0; i < tones; ++i)
+  for (std::size_t i = 0; i < inks.size(); ++i)
   {
-    const double tone = static_cast<double>(i) / (tones - 1);
-    while (bin + 1 < last && response.ink[bin + 1] <= tone)
+    while (bin + 1 < responseBins && response.ink[bin + 1] <= inks[i])
     {
       ++bin;
     }
     const double step = response.ink[bin + 1] - response.ink[bin];
-    const double part = step > 0.0 ? std::clamp((tone - response.ink[bin]) / step, 0.0, 1.0) : 0.0;
+    const double part =
+      step > 0.0 ? std::clamp((inks[i] - response.ink[bin]) / step, 0.0, 1.0) : 0.0;
     threshold[i] = static_cast<float>(response.low + (bin + part) * response.bin);
   }
   // No rounding may leave ink at tone 0 or paper at tone 1.
-  const double margin = 1.0e-5;
-  threshold[0] = static_cast<float>(response.low - margin);
-  threshold[tones - 1] = static_cast<float>(response.low + last * response.bin + margin);
+  constexpr double margin = 1.0e-5;
+  if (inks.front() <= 0.0)
+  {
+    threshold[0] = static_cast<float>(response.low - margin);
+  }
+  if (inks.back() >= 1.0)
+  {
+    threshold[inks.size() - 1] =
+      static_cast<float>(response.low + responseBins * response.bin + margin);
+  }
+}
+
+// Mean ink that each tone is to have; the tones themselves unless the look at scale 1 is kept.
+std::vector<double> wantedInks(
+  Span<const PatternTile> mips, const ToneTableOptions& options, int tones)
+{
+  std::vector<double> inks(tones);
+  for (int i = 0; i < tones; ++i)
+  {
+    inks[i] = static_cast<double>(i) / (tones - 1);
+  }
+  if (options.correction == ToneCorrection::transitionOnly)
+  {
+    const double footprint = options.referenceTexelsPerPixel > 0.0 ? options.referenceTexelsPerPixel
+                                                                   : options.texelsPerPixelAtScale1;
+    const Response look = measureResponse(measureFields(mips, static_cast<float>(footprint), 0.0f));
+    for (double& ink : inks)
+    {
+      ink = inkAt(look, ink);
+    }
+  }
+  return inks;
+}
+
+void measureRow(
+  Span<const PatternTile> mips, const std::vector<double>& inks, int step, ToneTable& table)
+{
+  const ToneTableOptions& options = table.options;
+  const auto row = static_cast<float>(step);
+  const float scale = blendsScreens(options)
+    ? glsl::tableScale(
+        row, static_cast<float>(options.lodStart), static_cast<float>(options.lodEnd))
+    : glsl::octaveScale(row);
+  const float blend = blendsScreens(options) ? blendAt(options, scale) : 0.0f;
+  const float footprint = static_cast<float>(options.texelsPerPixelAtScale1) / scale;
+  invertResponse(measureResponse(measureFields(mips, footprint, blend)), inks,
+    &table.threshold[static_cast<std::size_t>(step) * table.tones]);
 }
 
 void checkArguments(
@@ -182,37 +242,68 @@ void checkArguments(
     check::fail(function, "texelsPerPixelAtScale1",
       std::to_string(footprint) + ", expected a positive number");
   }
+  if (!(options.referenceTexelsPerPixel >= 0.0) || !std::isfinite(options.referenceTexelsPerPixel))
+  {
+    check::fail(function, "referenceTexelsPerPixel",
+      std::to_string(options.referenceTexelsPerPixel) + ", expected a positive number or 0");
+  }
   check::inRange(function, "lodStart", options.lodStart, 1.0, 2.0);
   check::inRange(function, "lodEnd", options.lodEnd, options.lodStart, 2.0);
 }
 
 } // namespace
 
+int tableRows(LodTransition transition)
+{
+  const bool blends = transition == LodTransition::blendScreens;
+  return static_cast<int>(blends ? glsl::tableSteps : glsl::octaveSteps);
+}
+
+bool operator==(const ToneTableOptions& a, const ToneTableOptions& b)
+{
+  return a.texelsPerPixelAtScale1 == b.texelsPerPixelAtScale1 && a.lodStart == b.lodStart &&
+    a.lodEnd == b.lodEnd && a.transition == b.transition && a.correction == b.correction &&
+    a.referenceTexelsPerPixel == b.referenceTexelsPerPixel;
+}
+
 ToneTable buildToneTable(Span<const PatternTile> mips, const ToneTableOptions& options)
 {
   checkArguments("buildToneTable", mips, options);
   ToneTable table;
   table.options = options;
+  table.steps = tableRows(options.transition);
   table.threshold.resize(static_cast<std::size_t>(table.tones) * table.steps);
-  parallelForRanges(table.steps, 1,
-    [&](std::int64_t step, std::int64_t)
+  if (options.correction == ToneCorrection::off)
+  {
+    for (std::size_t i = 0; i < table.threshold.size(); ++i)
     {
-      const float scale = glsl::tableScale(static_cast<float>(step),
-        static_cast<float>(options.lodStart), static_cast<float>(options.lodEnd));
-      invertResponse(measureResponse(measureFields(mips, options, scale)),
-        &table.threshold[step * table.tones], table.tones);
-    });
+      const auto tone = static_cast<int>(i % table.tones);
+      table.threshold[i] = static_cast<float>(tone) / static_cast<float>(table.tones - 1);
+    }
+    return table;
+  }
+  const std::vector<double> inks = wantedInks(mips, options, table.tones);
+  // At scale 2 the half-size copy alone is drawn, as large as the pattern at scale 1: that row is
+  // the first once more, so that nothing jumps where the scale wraps.
+  const int measured = blendsScreens(options) ? table.steps - 1 : table.steps;
+  parallelForRanges(measured, 1,
+    [&](std::int64_t step, std::int64_t)
+    { measureRow(mips, inks, static_cast<int>(step), table); });
+  if (blendsScreens(options))
+  {
+    std::copy_n(table.threshold.begin(), table.tones, table.threshold.end() - table.tones);
+  }
   return table;
 }
 
 double toneThreshold(const ToneTable& table, double tone, double scale)
 {
   const float column = glsl::tableColumn(static_cast<float>(tone)) * table.tones - 0.5f;
-  const float row =
-    glsl::tableRow(static_cast<float>(scale), static_cast<float>(table.options.lodStart),
-      static_cast<float>(table.options.lodEnd)) *
-      table.steps -
-    0.5f;
+  const float along = blendsScreens(table.options)
+    ? glsl::tableRow(static_cast<float>(scale), static_cast<float>(table.options.lodStart),
+        static_cast<float>(table.options.lodEnd))
+    : glsl::octaveRow(static_cast<float>(scale));
+  const float row = along * table.steps - 0.5f;
   const int left = std::clamp(static_cast<int>(column), 0, table.tones - 2);
   const int low = std::clamp(static_cast<int>(row), 0, table.steps - 2);
   const double fx = std::clamp(column - left, 0.0f, 1.0f);
@@ -228,21 +319,35 @@ DrawnField drawnField(
   Span<const PatternTile> mips, const ToneTableOptions& options, double u, double v, double scale)
 {
   checkArguments("drawnField", mips, options);
-  const glm::vec2 field = fieldAt(mips, options, u, v, static_cast<float>(scale));
+  const auto s = static_cast<float>(scale);
+  const float blend = blendsScreens(options) ? blendAt(options, s) : 0.0f;
+  const float footprint = static_cast<float>(options.texelsPerPixelAtScale1) / s;
+  const glm::vec2 field = fieldAt(mips, footprint, blend, u, v);
   return { field.x, field.y };
 }
 
 double drawnInk(Span<const PatternTile> mips, const ToneTable& table, double tone, double u,
   double v, double scale)
 {
-  const DrawnField field = drawnField(mips, table.options, u, v, scale);
-  const float s = static_cast<float>(scale);
-  const double period =
-    mips[0].width / (static_cast<double>(mips[0].periods) * table.options.texelsPerPixelAtScale1);
-  const float flat = glsl::flatShare(s, blendAt(table.options, s), static_cast<float>(period));
-  return glsl::patternInk(static_cast<float>(tone),
-    static_cast<float>(toneThreshold(table, tone, scale)), glm::vec2(field.screen, field.width),
-    flat);
+  checkArguments("drawnInk", mips, table.options);
+  const auto s = static_cast<float>(scale);
+  const float footprint = static_cast<float>(table.options.texelsPerPixelAtScale1) / s;
+  const auto period = static_cast<float>(
+    mips[0].width / (static_cast<double>(mips[0].periods) * table.options.texelsPerPixelAtScale1));
+  const auto ink = [&](float blend, double tableScale)
+  {
+    return glsl::patternInk(static_cast<float>(tone),
+      static_cast<float>(toneThreshold(table, tone, tableScale)),
+      fieldAt(mips, footprint, blend, u, v), glsl::flatShare(s, blend, period));
+  };
+  const float blend = blendAt(table.options, s);
+  if (blendsScreens(table.options))
+  {
+    return ink(blend, scale);
+  }
+  const float first = blend < 1.0f ? ink(0.0f, scale) : 0.0f;
+  const float second = blend > 0.0f ? ink(1.0f, 0.5 * scale) : 0.0f;
+  return glm::mix(first, second, blend);
 }
 
 } // namespace hachure

@@ -202,7 +202,7 @@ TEST(ToneTable, WithoutLodOnlyTheFirstOctave)
 {
   const std::vector<PatternTile> mips = mipChain(hatchTile());
   ToneTableOptions options = forPeriod(8.0);
-  options.lodBlending = false;
+  options.transition = LodTransition::none;
   const ToneTable table = buildToneTable(mips, options);
   const DrawnField field = drawnField(mips, options, 0.0, 0.5 / tilePeriods, 2.0);
   EXPECT_GT(field.screen, 0.9f); // between two lines, where the half-size copy has one

@@ -71,7 +71,7 @@ bool agreesWithTheClosedForm()
   output->GetDimensions(dimensions);
   vtkDataArray* threshold = output->GetPointData()->GetScalars();
   bool good = require(!scene.observer->GetError() && threshold != nullptr, "a table");
-  good &= require(dimensions[0] == 256 && dimensions[1] == 48, "256 x 48");
+  good &= require(dimensions[0] == 256 && dimensions[1] == 96, "256 x 96");
   constexpr double width = 0.25; // 2 / (8 pixels per period)
   for (int i = 2; good && i < 254; ++i)
   {

@@ -85,6 +85,8 @@ def test_every_parameter_survives():
     layer.SetSurfacePeriod(0.125)
     layer.SetLodStart(1.1)
     layer.SetLodEnd(1.9)
+    layer.SetTransition(layer.BLEND_SCREENS)
+    layer.SetToneCorrection(layer.TRANSITION_ONLY)
     style.AddLayer(layer)
     style.AddLayer(hachure.vtkImagePatternLayer())
     style.SetPaperSource(style.FLAT)

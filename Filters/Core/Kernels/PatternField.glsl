@@ -7,7 +7,8 @@
 //   s      wrapped LOD scale in [1, 2): wrapScale(similarity scale); 1 when fixed in the image
 //   tile   RG32F texture: red = screen, green = gradient (per texel of level 0, on every level),
 //          mip level k = k-th element of mipChain(), GL_REPEAT, linear filter in and between levels
-//   table  R32F texture, 256 tones wide, 48 rows high, linear, clamped to edge: the ToneTable
+//   table  R32F texture, 256 tones wide, linear, clamped to edge: the ToneTable of the transition in
+//          use
 //   tpp1   texels of level 0 per drawn pixel at s = 1 (the table is built with the same number):
 //          tile width / (periods across the tile * pixels per period)
 //
@@ -15,23 +16,30 @@
 //   float t = lodBlend(s, s0, s1);
 //   vec2 first = textureLod(tile, uv, tileLevel(tpp)).rg;            // may be skipped when t == 1
 //   vec2 second = textureLod(tile, 2 uv, tileLevel(2.0 * tpp)).rg;   // may be skipped when t == 0
+// The octaves blend as screens, so that marks change their shape,
 //   vec2 field = patternField(first, second, t, tpp);
-//   vec2 at = vec2(tableColumn(tone), tableRow(s, s0, s1));
-//   float flatWeight = flatShare(s, t, pixels per period at s = 1);
-//   float ink = patternInk(tone, texture(table, at).r, field, flatWeight);
+//   float threshold = texture(table, vec2(tableColumn(tone), tableRow(s, s0, s1))).r;
+//   float ink = patternInk(tone, threshold, field, flatShare(s, t, period));
+// or they cross-fade as inks, so that marks keep it; each has the tone, and so has their mixture:
+//   ink = mix(octaveInk(first, s, 0), octaveInk(second, s / 2, 1), t), where octaveInk(...) is
+//   patternInk(tone, texture(table, vec2(tableColumn(tone), octaveRow(scale))).r,
+//     patternField(first, second, 0 or 1, tpp), flatShare(s, 0 or 1, period))
 //
 // uv: 1 per tile width (and 1 per tile height); y up; row 0 of the tile is the bottom.
-// All of s, t, tpp, tableRow, flatShare are constant per patch and draw: compute them outside the
-// pixel.
+// period: pixels per period at s = 1. All of s, t, tpp, the rows and flatShare are constant per patch
+// and draw: compute them outside the pixel.
 
-// Rows and columns of the table.
+// Columns of the tables, and rows of those of blended screens.
 const float tableTones = 256.0f;
-const float tableSteps = 48.0f;
-// Steps before the LOD transition, and from its end to scale 2, where little changes; the 24
+const float tableSteps = 96.0f;
+// Steps before the LOD transition, and from its end to scale 2, where little changes; the 90
 // others lie in the transition, with rows exactly where the response bends: at its start and end,
 // at a third, where slopes of a ruled hatch cancel, and at its middle.
-const float tableStepsBefore = 4.0f;
-const float tableStepsAfter = 3.0f;
+const float tableStepsBefore = 3.0f;
+const float tableStepsAfter = 2.0f;
+// Rows of the tables of a single octave, and the octaves of scale that these reach over.
+const float octaveSteps = 48.0f;
+const float tableOctaves = 2.0f;
 // Below this many pixels per period a screen cannot be resolved: ink = tone. Above one pixel more,
 // no change.
 const float flatPeriod = 2.0f;
@@ -82,7 +90,7 @@ float tableRow(float s, float s0, float s1)
   return (row + 0.5f) / tableSteps;
 }
 
-// The wrapped scale of a row number (0 to 31) of the table: inverse of tableRow.
+// The wrapped scale of a row number of the table: inverse of tableRow.
 float tableScale(float row, float s0, float s1)
 {
   float last = tableSteps - 1.0f;
@@ -95,6 +103,19 @@ float tableScale(float row, float s0, float s1)
     return mix(2.0f, s1, (last - row) / tableStepsAfter);
   }
   return mix(s0, s1, (row - tableStepsBefore) / (last - tableStepsBefore - tableStepsAfter));
+}
+
+// Texture coordinate of the scale of a single octave, 1/2 to 2, in its table.
+float octaveRow(float scale)
+{
+  float along = clamp((1.0f + log2(max(scale, 1.0e-6f))) / tableOctaves, 0.0f, 1.0f);
+  return (along * (octaveSteps - 1.0f) + 0.5f) / octaveSteps;
+}
+
+// The scale of a row number of that table: inverse of octaveRow.
+float octaveScale(float row)
+{
+  return exp2(tableOctaves * row / (octaveSteps - 1.0f) - 1.0f);
 }
 
 // Share of flat tone (ink = tone) in the drawing: 1 up to 2 pixels per period, 0 from 3 on. t is

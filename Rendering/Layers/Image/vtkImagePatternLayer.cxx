@@ -89,6 +89,10 @@ void vtkImagePatternLayer::DescribeField(hachure::StyleArchive& archive)
     { this->GetLodStartMinValue(), this->GetLodStartMaxValue() });
   archive.number("lodEnd", this, &Self::GetLodEnd, &Self::SetLodEnd,
     { this->GetLodEndMinValue(), this->GetLodEndMaxValue() });
+  archive.choice("transition", this, &Self::GetTransition, &Self::SetTransition,
+    { "automatic", "crossFade", "blendScreens" });
+  archive.choice("toneCorrection", this, &Self::GetToneCorrection, &Self::SetToneCorrection,
+    { "full", "transitionOnly", "off" });
 }
 
 //------------------------------------------------------------------------------
@@ -106,4 +110,6 @@ void vtkImagePatternLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SurfacePeriod: " << this->SurfacePeriod << "\n";
   os << indent << "LodStart: " << this->LodStart << "\n";
   os << indent << "LodEnd: " << this->LodEnd << "\n";
+  os << indent << "Transition: " << this->Transition << "\n";
+  os << indent << "ToneCorrection: " << this->ToneCorrection << "\n";
 }

@@ -8,7 +8,8 @@
  * the plane (Breslav et al. 2007), or stays fixed in the image, or it lies on the surface itself,
  * as a texture or as a dynamic solid texture (Benard, Bousseau, Thollot 2009). While the
  * similarity's scale s, wrapped into [1,2), goes from LodStart to LodEnd, the image at half the
- * size takes over, so that the size of the marks stays near Size at every zoom.
+ * size takes over, so that the size of the marks stays near Size at every zoom. Thresholds measured
+ * on the pattern as it is drawn keep the tone meanwhile.
  */
 
 #ifndef vtkImagePatternLayer_h
@@ -55,6 +56,31 @@ public:
     FIXED_IN_IMAGE = 1,
     TEXTURE = 2,
     DYNAMIC_SOLID = 3
+  };
+
+  /**
+   * How the image at half the size takes over. CROSS_FADE: by ink, the old strokes fade out and the
+   * new ones in. BLEND_SCREENS: by screen, the marks change their shape. AUTOMATIC_TRANSITION:
+   * strokes (HATCH, CROSS_HATCH) cross-fade, screens (HALFTONE, IMAGE) blend.
+   */
+  enum TransitionType
+  {
+    AUTOMATIC_TRANSITION = 0,
+    CROSS_FADE = 1,
+    BLEND_SCREENS = 2
+  };
+
+  /**
+   * FULL_CORRECTION: the mean ink is the tone. TRANSITION_ONLY: it stays what the screen itself
+   * gives at scale 1, where filtered edges make light tones darker and dark tones lighter; without
+   * a transition (FIXED_IN_IMAGE, TEXTURE) nothing is corrected. NO_CORRECTION: it changes with
+   * the scale as well.
+   */
+  enum ToneCorrectionType
+  {
+    FULL_CORRECTION = 0,
+    TRANSITION_ONLY = 1,
+    NO_CORRECTION = 2
   };
 
   const char* GetTypeName() override { return "image"; }
@@ -138,6 +164,20 @@ public:
   vtkGetMacro(LodEnd, double);
   ///@}
 
+  ///@{
+  /** How the pattern of half the size takes over, one of TransitionType; default
+   * AUTOMATIC_TRANSITION. No effect where Motion is FIXED_IN_IMAGE or TEXTURE. */
+  vtkSetClampMacro(Transition, int, AUTOMATIC_TRANSITION, BLEND_SCREENS);
+  vtkGetMacro(Transition, int);
+  ///@}
+
+  ///@{
+  /** Which difference between tone and ink is removed (Breslav et al. 2007, section 3.5), one of
+   * ToneCorrectionType; default FULL_CORRECTION. */
+  vtkSetClampMacro(ToneCorrection, int, FULL_CORRECTION, NO_CORRECTION);
+  vtkGetMacro(ToneCorrection, int);
+  ///@}
+
   /** Latest change of the layer, its tone or its image. */
   vtkMTimeType GetMTime() override;
 
@@ -164,6 +204,8 @@ private:
   double SurfacePeriod = 0.0;
   double LodStart = 1.3;
   double LodEnd = 1.7;
+  int Transition = AUTOMATIC_TRANSITION;
+  int ToneCorrection = FULL_CORRECTION;
 };
 
 #endif

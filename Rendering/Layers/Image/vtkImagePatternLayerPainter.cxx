@@ -7,6 +7,7 @@
 #include "ImagePatternLayer.h"
 #include "Kernels.h"
 #include "SurfacePatternLayer.h"
+#include "ToneTableCache.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkImagePatternLayer.h"
@@ -34,9 +35,15 @@ constexpr int tilePeriods = 16;
 constexpr int ruledSize = 256;
 constexpr int ruledPeriods = 8;
 
-// Tone tables of patterns on the surface, one per octave: as SurfacePatternLayer.glsl has it.
-constexpr int textureBlocks = 5;
-constexpr int solidBlocks = 3;
+// Tone tables of patterns on the surface. Those of a single octave reach over footprints of 1/2 to
+// 2, so that the next one starts at four times the footprint: a texture spans six octaves, up to
+// where it turns into grey; a solid texture two, and two more where it is seen obliquely. Tables of
+// blended screens are for obliquity 1, 2 and 4, as SurfacePatternLayer.glsl has it.
+constexpr int textureBlocks = 3;
+constexpr int fadedBlocks = 2;
+constexpr int blendedBlocks = 3;
+constexpr double singleStep = 4.0;
+constexpr double blendedStep = 2.0;
 // Pixels of Size that the whole object counts as, where no period on the surface is given.
 constexpr double wholeInPixels = 512.0;
 constexpr double radiansPerDegree = 3.14159265358979323846 / 180.0;
@@ -186,6 +193,55 @@ bool vtkImagePatternLayerPainter::UpdateTile(std::string& error)
   return true;
 }
 
+hachure::LodTransition vtkImagePatternLayerPainter::Transition() const
+{
+  const int motion = this->Layer->GetMotion();
+  if (motion != vtkImagePatternLayer::SIMILARITY && motion != vtkImagePatternLayer::DYNAMIC_SOLID)
+  {
+    return hachure::LodTransition::none;
+  }
+  const int set = this->Layer->GetTransition();
+  const int pattern = this->Layer->GetPattern();
+  const bool strokes =
+    pattern == vtkImagePatternLayer::HATCH || pattern == vtkImagePatternLayer::CROSS_HATCH;
+  const bool fades = set == vtkImagePatternLayer::CROSS_FADE ||
+    (set == vtkImagePatternLayer::AUTOMATIC_TRANSITION && strokes);
+  return fades ? hachure::LodTransition::crossFade : hachure::LodTransition::blendScreens;
+}
+
+hachure::ToneCorrection vtkImagePatternLayerPainter::Correction() const
+{
+  const int set = this->Layer->GetToneCorrection();
+  if (set == vtkImagePatternLayer::FULL_CORRECTION)
+  {
+    return hachure::ToneCorrection::full;
+  }
+  const bool changes = this->Transition() != hachure::LodTransition::none;
+  return set == vtkImagePatternLayer::TRANSITION_ONLY && changes
+    ? hachure::ToneCorrection::transitionOnly
+    : hachure::ToneCorrection::off;
+}
+
+hachure::ToneTableOptions vtkImagePatternLayerPainter::TableOptions() const
+{
+  const hachure::PatternTile& tile = this->Tile->front();
+  hachure::ToneTableOptions options;
+  options.texelsPerPixelAtScale1 = tile.width / (tile.periods * this->Period);
+  if (this->Layer->GetMotion() == vtkImagePatternLayer::TEXTURE)
+  {
+    // The size in the picture is known per pixel alone; the last table ends where it turns into
+    // grey.
+    const double coarsest = tile.width / (tile.periods * double(hachure::glsl::flatPeriod));
+    options.texelsPerPixelAtScale1 = 2.0 * coarsest / std::pow(singleStep, textureBlocks);
+  }
+  options.lodStart = std::min(this->Layer->GetLodStart(), 1.98);
+  options.lodEnd = std::max(this->Layer->GetLodEnd(), options.lodStart + 0.01);
+  options.transition = this->Transition();
+  options.correction = this->Correction();
+  options.referenceTexelsPerPixel = options.texelsPerPixelAtScale1;
+  return options;
+}
+
 void vtkImagePatternLayerPainter::UpdateTable(const Scene& scene)
 {
   this->CurrentScene = scene;
@@ -197,53 +253,45 @@ void vtkImagePatternLayerPainter::UpdateTable(const Scene& scene)
   }
   this->Period = size * scene.PixelsPerLogical;
 
-  const hachure::PatternTile& tile = this->Tile->front();
-  hachure::ToneTableOptions options;
-  options.texelsPerPixelAtScale1 = tile.width / (tile.periods * this->Period);
-  options.lodStart = std::min(this->Layer->GetLodStart(), 1.98);
-  options.lodEnd = std::max(this->Layer->GetLodEnd(), options.lodStart + 0.01);
-  const int motion = this->Layer->GetMotion();
-  options.lodBlending =
-    motion == vtkImagePatternLayer::SIMILARITY || motion == vtkImagePatternLayer::DYNAMIC_SOLID;
+  const hachure::ToneTableOptions options = this->TableOptions();
   int blocks = 1;
-  if (motion == vtkImagePatternLayer::TEXTURE)
+  if (this->OnSurface())
   {
-    // From where it turns into grey: the size in the picture is known per pixel alone.
-    options.texelsPerPixelAtScale1 =
-      tile.width / (tile.periods * double(hachure::glsl::flatPeriod));
-    blocks = textureBlocks;
+    const bool texture = this->Layer->GetMotion() == vtkImagePatternLayer::TEXTURE;
+    blocks = texture ? textureBlocks : this->BlendsScreens() ? blendedBlocks : fadedBlocks;
   }
-  else if (motion == vtkImagePatternLayer::DYNAMIC_SOLID)
+  const bool current = this->TableTile == this->Tile && this->TableBlocks == blocks &&
+    this->Tables.front()->options == options;
+  if (!current)
   {
-    blocks = solidBlocks;
+    this->BuildTables(options, blocks);
   }
-  const hachure::ToneTableOptions& old = this->Table.options;
-  if (this->TableTile == this->Tile && this->TableBlocks == blocks &&
-    old.lodStart == options.lodStart && old.lodEnd == options.lodEnd &&
-    old.lodBlending == options.lodBlending &&
-    old.texelsPerPixelAtScale1 == options.texelsPerPixelAtScale1)
+}
+
+void vtkImagePatternLayerPainter::BuildTables(hachure::ToneTableOptions options, int blocks)
+{
+  // Equal tables are measured once for all windows and mappers that use them.
+  static hachure::ToneTableCache shared;
+  const double step =
+    options.transition == hachure::LodTransition::blendScreens ? blendedStep : singleStep;
+  std::vector<std::shared_ptr<const hachure::ToneTable>> tables;
+  this->TableRows.clear();
+  for (int block = 0; block < blocks; ++block)
   {
-    return;
+    tables.push_back(shared.get(this->Tile, options));
+    const std::vector<float>& rows = tables.back()->threshold;
+    this->TableRows.insert(this->TableRows.end(), rows.begin(), rows.end());
+    options.texelsPerPixelAtScale1 *= step;
   }
-  this->Table = hachure::buildToneTable(*this->Tile, options);
-  this->BuildTables(blocks);
+  this->Tables = std::move(tables);
   this->TableTile = this->Tile;
+  this->TableBlocks = blocks;
   ++this->TableVersion;
 }
 
-void vtkImagePatternLayerPainter::BuildTables(int blocks)
+bool vtkImagePatternLayerPainter::BlendsScreens() const
 {
-  this->TableBlocks = blocks;
-  this->TableRows = this->Table.threshold;
-  hachure::ToneTableOptions options = this->Table.options;
-  // A texture comes nearer from block to block, a solid texture is seen more obliquely.
-  const double step = options.lodBlending ? 2.0 : 0.5;
-  for (int block = 1; block < blocks; ++block)
-  {
-    options.texelsPerPixelAtScale1 *= step;
-    const hachure::ToneTable next = hachure::buildToneTable(*this->Tile, options);
-    this->TableRows.insert(this->TableRows.end(), next.threshold.begin(), next.threshold.end());
-  }
+  return this->Transition() == hachure::LodTransition::blendScreens;
 }
 
 void vtkImagePatternLayerPainter::Upload(vtkOpenGLRenderWindow* window)
@@ -296,39 +344,30 @@ void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const s
     this->SetSurfaceUniforms(program, number, firstTableRow);
     return;
   }
-  const bool tracked = this->Layer->GetMotion() == vtkImagePatternLayer::SIMILARITY;
-  const glm::dvec2 u = tracked ? frame.u : glm::dvec2(1.0, 0.0);
-  const glm::dvec2 origin = tracked ? frame.origin : glm::dvec2(0.0);
-  const double growth = std::hypot(u.x, u.y);
-  const float scale = tracked ? hachure::glsl::wrapScale(static_cast<float>(growth)) : 1.0f;
-  const auto lodStart = static_cast<float>(this->Table.options.lodStart);
-  const auto lodEnd = static_cast<float>(this->Table.options.lodEnd);
-  const float blend = tracked ? hachure::glsl::lodBlend(scale, lodStart, lodEnd) : 0.0f;
+  const hachure::PatternPlacement placement = this->Place(frame);
+  const float right[4] = { placement.right.x, placement.right.y, placement.right.z,
+    placement.texelsPerPixel };
+  program->SetUniform4f(("hachureRight" + number).c_str(), right);
+  const float up[4] = { placement.up.x, placement.up.y, placement.up.z, placement.blend };
+  program->SetUniform4f(("hachureUp" + number).c_str(), up);
+  const auto firstRow = static_cast<float>(firstTableRow);
+  const float octaves[4] = { placement.flat.x, placement.flat.y, firstRow + placement.row.x,
+    firstRow + placement.row.y };
+  program->SetUniform4f(("hachureOctaves" + number).c_str(), octaves);
+  program->SetUniformf(("hachureFade" + number).c_str(), this->BlendsScreens() ? 0.0f : 1.0f);
+}
 
-  // uv = R(-angle) (position - origin) / size of the tile in logical pixels.
-  const double angle = std::atan2(u.y, u.x) + this->Layer->GetAngle() * radiansPerDegree;
+hachure::PatternPlacement vtkImagePatternLayerPainter::Place(
+  const hachure::PatternFrame& frame) const
+{
   const hachure::PatternTile& tile = this->Tile->front();
-  const double width = scale * tile.periods * this->Period / this->CurrentScene.PixelsPerLogical;
-  const double height = width * tile.height / tile.width;
-  const glm::dvec2 right = glm::dvec2(std::cos(angle), std::sin(angle)) / width;
-  const glm::dvec2 up = glm::dvec2(-std::sin(angle), std::cos(angle)) / height;
-  double offset[2] = { -(right.x * origin.x + right.y * origin.y),
-    -(up.x * origin.x + up.y * origin.y) };
-  for (double& component : offset)
-  {
-    component -= std::floor(component); // whole tiles change nothing but cost digits
-  }
-  float uv[3][3] = { { static_cast<float>(right.x), static_cast<float>(up.x), 0.0f },
-    { static_cast<float>(right.y), static_cast<float>(up.y), 0.0f },
-    { static_cast<float>(offset[0]), static_cast<float>(offset[1]), 1.0f } };
-  program->SetUniformMatrix3x3(("hachureUv" + number).c_str(), &uv[0][0]);
-
-  const float texels = static_cast<float>(this->Table.options.texelsPerPixelAtScale1) / scale;
-  const float row = hachure::glsl::tableRow(scale, lodStart, lodEnd) * hachure::glsl::tableSteps;
-  const float octave[4] = { texels, blend,
-    hachure::glsl::flatShare(scale, blend, static_cast<float>(this->Period)),
-    static_cast<float>(firstTableRow) + row };
-  program->SetUniform4f(("hachureOctave" + number).c_str(), octave);
+  const double width = tile.periods * this->Period / this->CurrentScene.PixelsPerLogical;
+  hachure::PlacementOptions options;
+  options.tileSize = { width, width * tile.height / tile.width };
+  options.angle = this->Layer->GetAngle() * radiansPerDegree;
+  options.pixelsPerPeriod = this->Period;
+  options.table = this->Tables.front()->options;
+  return hachure::placePattern(frame, options);
 }
 
 double vtkImagePatternLayerPainter::ReferencePeriod(double whole) const
@@ -369,12 +408,14 @@ void vtkImagePatternLayerPainter::SetSurfaceUniforms(
   const float shape[4] = { static_cast<float>(tile.width), static_cast<float>(tile.height),
     static_cast<float>(tile.width) / static_cast<float>(tile.periods), static_cast<float>(ratio) };
   program->SetUniform4f(("hachureShape" + number).c_str(), shape);
-  const hachure::ToneTableOptions& options = this->Table.options;
+  const hachure::ToneTableOptions& options = this->Tables.front()->options;
   const float octave[4] = { static_cast<float>(options.lodStart),
     static_cast<float>(options.lodEnd), static_cast<float>(firstTableRow),
     static_cast<float>(options.texelsPerPixelAtScale1) };
   program->SetUniform4f(("hachureOctave" + number).c_str(), octave);
-  program->SetUniformf(("hachureSolid" + number).c_str(), solid ? 1.0f : 0.0f);
+  const float kind[2] = { solid ? 1.0f : 0.0f,
+    this->BlendsScreens() ? 0.0f : static_cast<float>(this->TableBlocks) };
+  program->SetUniform2f(("hachureKind" + number).c_str(), kind);
 }
 
 void vtkImagePatternLayerPainter::Activate()

@@ -6,6 +6,7 @@
 #ifndef vtkImagePatternLayerPainter_h
 #define vtkImagePatternLayerPainter_h
 
+#include "PatternPlacement.h"
 #include "PatternTile.h"
 #include "ToneTable.h"
 #include "vtkNew.h"
@@ -37,8 +38,13 @@ private:
   using Mips = std::shared_ptr<const std::vector<hachure::PatternTile>>;
   bool UpdateTile(std::string& error);
   void UpdateTable(const Scene& scene);
-  /// Tables of a pattern on the surface, for several footprints.
-  void BuildTables(int blocks);
+  /// Tables, of a pattern on the surface for several footprints.
+  void BuildTables(hachure::ToneTableOptions options, int blocks);
+  hachure::ToneTableOptions TableOptions() const;
+  hachure::LodTransition Transition() const;
+  hachure::ToneCorrection Correction() const;
+  bool BlendsScreens() const;
+  hachure::PatternPlacement Place(const hachure::PatternFrame& frame) const;
   bool OnSurface() const;
   double ReferencePeriod(double whole) const;
   void SetSurfaceUniforms(
@@ -48,7 +54,7 @@ private:
   vtkWeakPointer<vtkImagePatternLayer> Layer;
   Mips Tile;
   vtkMTimeType TileTime = 0;
-  hachure::ToneTable Table;
+  std::vector<std::shared_ptr<const hachure::ToneTable>> Tables;
   std::vector<float> TableRows;
   int TableBlocks = 0;
   unsigned long TableVersion = 0;

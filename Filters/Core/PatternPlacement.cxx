@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PatternPlacement.h"
+
+#include "Kernels.h"
+#include "TileChecks.h"
+
+#include <cmath>
+
+namespace hachure
+{
+namespace
+{
+
+void requirePositive(const char* argument, double value)
+{
+  if (!(value > 0.0) || !std::isfinite(value))
+  {
+    check::fail(
+      "placePattern", argument, std::to_string(value) + ", expected a positive finite number");
+  }
+}
+
+// Rotated by -angle and divided by the size; whole tiles are dropped, which change nothing but cost
+// digits.
+glm::vec3 tileCoordinate(const glm::dvec2& axis, double size, const glm::dvec2& origin)
+{
+  const glm::dvec2 scaled = axis / size;
+  const double offset = -glm::dot(scaled, origin);
+  return { static_cast<float>(scaled.x), static_cast<float>(scaled.y),
+    static_cast<float>(offset - std::floor(offset)) };
+}
+
+} // namespace
+
+PatternPlacement placePattern(const PatternFrame& frame, const PlacementOptions& options)
+{
+  requirePositive("tileSize.x", options.tileSize.x);
+  requirePositive("tileSize.y", options.tileSize.y);
+  requirePositive("pixelsPerPeriod", options.pixelsPerPeriod);
+  const ToneTableOptions& table = options.table;
+  const bool follows = table.transition != LodTransition::none;
+  const PatternFrame placed = follows ? frame : PatternFrame();
+  const auto start = static_cast<float>(table.lodStart);
+  const auto end = static_cast<float>(table.lodEnd);
+  const float scale = glsl::wrapScale(static_cast<float>(glm::length(placed.u)));
+
+  PatternPlacement placement;
+  const double angle = std::atan2(placed.u.y, placed.u.x) + options.angle;
+  const glm::dvec2 direction(std::cos(angle), std::sin(angle));
+  placement.right = tileCoordinate(direction, scale * options.tileSize.x, placed.origin);
+  placement.up =
+    tileCoordinate({ -direction.y, direction.x }, scale * options.tileSize.y, placed.origin);
+  placement.texelsPerPixel = static_cast<float>(table.texelsPerPixelAtScale1) / scale;
+  placement.blend = follows ? glsl::lodBlend(scale, start, end) : 0.0f;
+  const auto period = static_cast<float>(options.pixelsPerPeriod);
+  if (table.transition == LodTransition::blendScreens)
+  {
+    placement.flat = glm::vec2(glsl::flatShare(scale, placement.blend, period));
+    placement.row = glm::vec2(glsl::tableRow(scale, start, end));
+  }
+  else
+  {
+    placement.flat = { glsl::flatShare(scale, 0.0f, period), glsl::flatShare(scale, 1.0f, period) };
+    placement.row = { glsl::octaveRow(scale), glsl::octaveRow(0.5f * scale) };
+  }
+  placement.row *= static_cast<float>(tableRows(table.transition));
+  return placement;
+}
+
+} // namespace hachure

@@ -19,129 +19,194 @@ namespace
 
 constexpr int tileSize = 256;
 constexpr int tilePeriods = 8;
+constexpr LodTransition transitions[] = { LodTransition::crossFade, LodTransition::blendScreens };
+constexpr double someScales[] = { 1.0, 1.13, 1.357, 1.43, 1.475, 1.62, 1.7, 1.83, 1.999 };
+const std::vector<double> someTones{ 0.006, 0.05, 0.1, 0.3, 0.48, 0.5, 0.7, 0.9, 0.994 };
 
-ToneTableOptions forPeriod(double pixels)
+ToneTableOptions forPeriod(double pixels, LodTransition transition = LodTransition::blendScreens,
+  ToneCorrection correction = ToneCorrection::full)
 {
   ToneTableOptions options;
   options.texelsPerPixelAtScale1 = tileSize / (tilePeriods * pixels);
+  options.transition = transition;
+  options.correction = correction;
   return options;
 }
 
-// Fields at places that the table was not built from, spread evenly over the tile.
-std::vector<DrawnField> someFields(
-  const std::vector<PatternTile>& mips, const ToneTableOptions& options, double scale)
+// Adds `share` of the mean ink of each tone at a scale of the table, at places that the table was
+// not built from: another and finer lattice of Fibonacci numbers, shifted.
+void addInk(const std::vector<PatternTile>& mips, const ToneTable& table, double scale,
+  double share, std::vector<double>& inks)
 {
-  constexpr int places = 10946; // a Fibonacci number
-  std::vector<DrawnField> fields;
-  for (int i = 0; i < places; ++i)
+  constexpr std::int64_t places = 75025;
+  constexpr std::int64_t stride = 28657;
+  std::vector<float> thresholds;
+  for (const double tone : someTones)
   {
-    // A golden-ratio lattice, which the table does not use.
-    const double u = (i + 0.5) / places;
-    const double v = std::fmod(0.25 + i * 0.6180339887498949, 1.0);
-    fields.push_back(drawnField(mips, options, u, v, scale));
+    thresholds.push_back(static_cast<float>(toneThreshold(table, tone, scale)));
   }
-  return fields;
-}
-
-double meanInk(const std::vector<DrawnField>& fields, double threshold)
-{
-  double sum = 0.0;
-  for (const DrawnField& field : fields)
+  for (std::int64_t i = 0; i < places; ++i)
   {
-    sum += glsl::inkCoverage(field.screen, static_cast<float>(threshold), field.width);
-  }
-  return sum / static_cast<double>(fields.size());
-}
-
-double scaleOfRow(double row)
-{
-  return glsl::tableScale(static_cast<float>(row), 1.3f, 1.7f);
-}
-
-// Largest difference of ink and tone over rows first, first + 1, ...
-double worstError(const PatternTile& tile, double period, double first)
-{
-  const std::vector<PatternTile> mips = mipChain(tile);
-  const ToneTableOptions options = forPeriod(period);
-  const ToneTable table = buildToneTable(mips, options);
-  double worst = 0.0;
-  for (double row = first; row <= glsl::tableSteps - 1.0; row += 1.0)
-  {
-    const double scale = scaleOfRow(row);
-    const std::vector<DrawnField> fields = someFields(mips, options, scale);
-    for (const double tone : { 0.006, 0.05, 0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 0.994 })
+    const double u = (0.31 + static_cast<double>(i)) / places;
+    const double v = (0.17 + static_cast<double>(i * stride % places)) / places;
+    const DrawnField field = drawnField(mips, table.options, u, v, scale);
+    for (std::size_t k = 0; k < inks.size(); ++k)
     {
-      worst = std::max(worst, std::abs(meanInk(fields, toneThreshold(table, tone, scale)) - tone));
+      inks[k] += share / places * glsl::inkCoverage(field.screen, thresholds[k], field.width);
     }
-    EXPECT_EQ(meanInk(fields, -10.0), 0.0);
+  }
+}
+
+std::vector<double> meanInks(
+  const std::vector<PatternTile>& mips, const ToneTable& table, double scale)
+{
+  std::vector<double> inks(someTones.size(), 0.0);
+  if (table.options.transition == LodTransition::blendScreens)
+  {
+    addInk(mips, table, scale, 1.0, inks);
+    return inks;
+  }
+  const double blend = glsl::lodBlend(static_cast<float>(scale), 1.3f, 1.7f);
+  addInk(mips, table, scale, 1.0 - blend, inks);
+  addInk(mips, table, 0.5 * scale, blend, inks);
+  return inks;
+}
+
+// Over all scales: largest difference of ink and tone, and largest change of the ink of a tone.
+struct Deviation
+{
+  double error = 0.0;
+  double swing = 0.0;
+};
+
+Deviation deviation(const std::vector<PatternTile>& mips, const ToneTableOptions& options)
+{
+  const ToneTable table = buildToneTable(mips, options);
+  std::vector<double> least(someTones.size(), 1.0);
+  std::vector<double> most(someTones.size(), 0.0);
+  Deviation worst;
+  for (const double scale : someScales)
+  {
+    const std::vector<double> inks = meanInks(mips, table, scale);
+    for (std::size_t k = 0; k < inks.size(); ++k)
+    {
+      least[k] = std::min(least[k], inks[k]);
+      most[k] = std::max(most[k], inks[k]);
+      worst.error = std::max(worst.error, std::abs(inks[k] - someTones[k]));
+      worst.swing = std::max(worst.swing, most[k] - least[k]);
+    }
   }
   return worst;
 }
 
-PatternTile noiseTile()
+// Few grey values, most of them dark, with large flat areas.
+PatternTile userTile()
 {
   std::vector<float> grey(tileSize * tileSize);
   for (std::size_t i = 0; i < grey.size(); ++i)
   {
-    grey[i] = static_cast<float>(unitRandom(1, i, 0));
+    const auto x = static_cast<double>(i % tileSize);
+    const auto y = static_cast<double>(i / tileSize);
+    const double wave = 1.0 + std::sin(x * 0.1) * std::sin(y * 0.07) + unitRandom(1, i, 0);
+    grey[i] = static_cast<float>(std::floor(wave * wave * 3.0));
   }
   return imageTile(grey, tileSize, tileSize, tilePeriods);
 }
 
-std::vector<PatternTile> tiles()
+std::vector<PatternTile> builtInTiles()
 {
   CrossHatchOptions ruled;
   CrossHatchOptions drawn;
   drawn.irregularity = 0.6;
   return { hatchTile(ruled), crossHatchTile(ruled), halftoneTile(ruled), hatchTile(drawn),
-    crossHatchTile(drawn), noiseTile() };
+    crossHatchTile(drawn), halftoneTile(drawn) };
 }
 
 } // namespace
 
-TEST(ToneTable, InkEqualsToneAtEveryStep)
+TEST(ToneTable, InkEqualsToneThroughATransition)
 {
-  for (const PatternTile& tile : tiles())
+  for (const PatternTile& tile : builtInTiles())
   {
-    for (const double period : { 6.0, 8.0, 12.0 })
+    const std::vector<PatternTile> mips = mipChain(tile);
+    for (const LodTransition transition : transitions)
     {
-      EXPECT_LT(worstError(tile, period, 0.0), 0.003) << period;
+      const Deviation found = deviation(mips, forPeriod(11.0, transition));
+      EXPECT_LT(found.error, 0.005);
+      EXPECT_LT(found.swing, 0.002);
     }
   }
 }
 
-TEST(ToneTable, InkEqualsToneBetweenSteps)
+TEST(ToneTable, InkOfAUsersImageEqualsTone)
 {
-  for (const PatternTile& tile : tiles())
+  const std::vector<PatternTile> mips = mipChain(userTile());
+  for (const LodTransition transition : transitions)
   {
-    for (const double period : { 6.0, 12.0 })
+    EXPECT_LT(deviation(mips, forPeriod(8.0, transition)).error, 0.02);
+  }
+}
+
+TEST(ToneTable, TransitionOnlyKeepsTheLookAtScale1)
+{
+  const std::vector<PatternTile> tiles = builtInTiles();
+  for (const PatternTile& tile : { tiles[0], tiles[5] })
+  {
+    const std::vector<PatternTile> mips = mipChain(tile);
+    for (const LodTransition transition : transitions)
     {
-      EXPECT_LT(worstError(tile, period, 0.4), 0.006) << period;
+      const ToneTableOptions off = forPeriod(8.0, transition, ToneCorrection::off);
+      const ToneTableOptions only = forPeriod(8.0, transition, ToneCorrection::transitionOnly);
+      EXPECT_GT(deviation(mips, off).swing, 0.005);
+      EXPECT_LT(deviation(mips, only).swing, 0.002);
+      const std::vector<double> look = meanInks(mips, buildToneTable(mips, off), 1.0);
+      const std::vector<double> kept = meanInks(mips, buildToneTable(mips, only), 1.5);
+      for (std::size_t k = 0; k < look.size(); ++k)
+      {
+        EXPECT_NEAR(kept[k], look[k], 0.002) << someTones[k];
+      }
+      EXPECT_GT(std::abs(look[0] - someTones[0]), 0.005); // not the tone
     }
   }
 }
 
-// What the table is for: the tone as its own threshold misses by far more.
-TEST(ToneTable, WithoutItToneIsWrong)
+// The picture just before an octave is complete is the picture at its beginning.
+TEST(ToneTable, NothingJumpsWhereTheScaleWraps)
 {
-  const std::vector<PatternTile> mips = mipChain(hatchTile());
-  const std::vector<DrawnField> fields = someFields(mips, forPeriod(8.0), 1.5);
-  EXPECT_GT(std::abs(meanInk(fields, 0.1) - 0.1), 0.03);
+  for (const PatternTile& tile : builtInTiles())
+  {
+    const std::vector<PatternTile> mips = mipChain(tile);
+    for (const LodTransition transition : transitions)
+    {
+      const ToneTable table = buildToneTable(mips, forPeriod(8.0, transition));
+      for (int i = 0; i < 300; ++i)
+      {
+        const double u = std::fmod(i * 0.7548776662466927, 1.0);
+        const double v = std::fmod(i * 0.5698402909980532, 1.0);
+        const double tone = 0.03 + 0.94 * std::fmod(i * 0.618, 1.0);
+        const double before = drawnInk(mips, table, tone, u, v, 2.0 - 1e-6);
+        const double after = drawnInk(mips, table, tone, 2.0 * u, 2.0 * v, 1.0 + 1e-6);
+        EXPECT_NEAR(before, after, 1.0 / 255.0) << tone;
+      }
+    }
+  }
 }
 
 TEST(ToneTable, NoToneNoInkFullToneFullInk)
 {
-  for (const PatternTile& tile : tiles())
+  for (const PatternTile& tile : builtInTiles())
   {
     const std::vector<PatternTile> mips = mipChain(tile);
     const ToneTable table = buildToneTable(mips, forPeriod(8.0));
-    for (double scale = 1.0; scale <= 2.0; scale += 0.05)
+    for (double scale = 1.0; scale <= 2.0; scale += 0.09)
     {
-      const std::vector<DrawnField> fields = someFields(mips, table.options, scale);
-      EXPECT_LT(meanInk(fields, toneThreshold(table, 0.0, scale)), 2e-5);
-      EXPECT_GT(meanInk(fields, toneThreshold(table, 1.0, scale)), 1.0 - 2e-5);
       for (int i = 0; i < 50; ++i)
       {
+        const DrawnField field = drawnField(mips, table.options, 0.02 * i, 0.3, scale);
+        const auto none = static_cast<float>(toneThreshold(table, 0.0, scale));
+        const auto all = static_cast<float>(toneThreshold(table, 1.0, scale));
+        EXPECT_LT(glsl::inkCoverage(field.screen, none, field.width), 2e-5f);
+        EXPECT_GT(glsl::inkCoverage(field.screen, all, field.width), 1.0f - 2e-5f);
         EXPECT_EQ(drawnInk(mips, table, 0.0, 0.02 * i, 0.3, scale), 0.0);
         EXPECT_EQ(drawnInk(mips, table, 1.0, 0.02 * i, 0.3, scale), 1.0);
       }
@@ -151,37 +216,16 @@ TEST(ToneTable, NoToneNoInkFullToneFullInk)
 
 TEST(ToneTable, GrowsWithTone)
 {
-  for (const PatternTile& tile : tiles())
+  const std::vector<PatternTile> mips = mipChain(builtInTiles()[4]);
+  for (const LodTransition transition : transitions)
   {
-    const ToneTable table = buildToneTable(mipChain(tile), forPeriod(8.0));
+    const ToneTable table = buildToneTable(mips, forPeriod(8.0, transition));
     ASSERT_EQ(table.threshold.size(), static_cast<std::size_t>(table.tones * table.steps));
     for (int step = 0; step < table.steps; ++step)
     {
       const auto row = table.threshold.begin() + step * table.tones;
       EXPECT_TRUE(std::is_sorted(row, row + table.tones));
     }
-  }
-}
-
-// The picture at scale 2 is the picture at scale 1: no jump when the scale wraps.
-TEST(ToneTable, OctavesMeet)
-{
-  CrossHatchOptions drawn;
-  drawn.irregularity = 0.5;
-  const std::vector<PatternTile> mips = mipChain(crossHatchTile(drawn));
-  const ToneTable table = buildToneTable(mips, forPeriod(8.0));
-  for (int i = 0; i < 256; ++i)
-  {
-    EXPECT_NEAR(table.threshold[i], table.threshold[(table.steps - 1) * table.tones + i], 0.01f);
-  }
-  for (int i = 0; i < 500; ++i)
-  {
-    const double u = std::fmod(i * 0.7548776662466927, 1.0);
-    const double v = std::fmod(i * 0.5698402909980532, 1.0);
-    const DrawnField before = drawnField(mips, table.options, u, v, 2.0);
-    const DrawnField after = drawnField(mips, table.options, 2.0 * u, 2.0 * v, 1.0);
-    EXPECT_NEAR(before.screen, after.screen, 1e-5f);
-    EXPECT_NEAR(before.width, after.width, 1e-5f);
   }
 }
 
@@ -201,13 +245,25 @@ TEST(ToneTable, UnresolvedPatternsAreFlat)
 TEST(ToneTable, WithoutLodOnlyTheFirstOctave)
 {
   const std::vector<PatternTile> mips = mipChain(hatchTile());
-  ToneTableOptions options = forPeriod(8.0);
-  options.transition = LodTransition::none;
-  const ToneTable table = buildToneTable(mips, options);
-  const DrawnField field = drawnField(mips, options, 0.0, 0.5 / tilePeriods, 2.0);
-  EXPECT_GT(field.screen, 0.9f); // between two lines, where the half-size copy has one
-  const std::vector<DrawnField> fields = someFields(mips, options, 2.0);
-  EXPECT_NEAR(meanInk(fields, toneThreshold(table, 0.3, 2.0)), 0.3, 0.003);
+  const ToneTable table = buildToneTable(mips, forPeriod(8.0, LodTransition::none));
+  // Between two lines, where the half-size copy has one.
+  EXPECT_EQ(drawnInk(mips, table, 0.3, 0.0, 0.5 / tilePeriods, 1.99), 0.0);
+}
+
+// A fading stroke keeps its shape: at no scale is there ink where neither octave has some.
+TEST(ToneTable, CrossFadeMixesTheInksOfBothOctaves)
+{
+  const std::vector<PatternTile> mips = mipChain(hatchTile());
+  const ToneTable table = buildToneTable(mips, forPeriod(12.0, LodTransition::crossFade));
+  for (int i = 0; i < 100; ++i)
+  {
+    const double v = i / 100.0;
+    const double first = drawnInk(mips, table, 0.3, 0.0, v, 1.299999); // not faded yet
+    const double middle = drawnInk(mips, table, 0.3, 0.0, v, 1.3 + 0.25 * 0.4);
+    const bool marked = first > 0.99;
+    EXPECT_TRUE(!marked || middle > 0.7) << v;
+    EXPECT_LE(middle, first + 0.35) << v;
+  }
 }
 
 TEST(ToneTable, ThreadsDoNotMatter)

@@ -29,6 +29,7 @@ using namespace glm;
 #include "Kernels/Lod.glsl"
 #include "Kernels/PatternField.glsl"
 #include "Kernels/SurfacePattern.glsl"
+#include "Kernels/PatchBlend.glsl"
 // clang-format on
 } // namespace
 } // namespace hachure::glsl

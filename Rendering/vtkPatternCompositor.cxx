@@ -6,12 +6,15 @@
 #include "Kernels.h"
 #include "Lod.h"
 #include "Mix.h"
+#include "PatchBlend.h"
 #include "PatternCompose.h"
 #include "PatternField.h"
 #include "PatternLayer.h"
+#include "PatternPatches.h"
 #include "SurfacePattern.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternLayer.h"
+#include "vtkPatternPatches.h"
 #include "vtkPatternStyle.h"
 #include "vtkPatternTone.h"
 #include "vtkPatternViewport.h"
@@ -31,6 +34,33 @@ glm::vec3 Linear(const double* color)
     static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2])));
 }
 
+// Thresholds of every row, each followed by the tone whose threshold is as large as the fraction of
+// the row at which it stands.
+std::vector<float> WithResponses(const std::vector<float>& thresholds)
+{
+  std::vector<float> both;
+  both.reserve(2 * thresholds.size());
+  for (auto row = thresholds.begin(); row != thresholds.end(); row += tableTones)
+  {
+    const auto end = row + tableTones;
+    for (std::size_t i = 0; i < tableTones; ++i)
+    {
+      constexpr auto last = static_cast<float>(tableTones - 1);
+      const float value = static_cast<float>(i) / last;
+      const auto above = std::upper_bound(row, end, value);
+      float tone = above == row ? 0.0f : 1.0f;
+      if (above != row && above != end)
+      {
+        const float below = *(above - 1);
+        tone = (static_cast<float>(above - row - 1) + (value - below) / (*above - below)) / last;
+      }
+      both.push_back(row[static_cast<std::ptrdiff_t>(i)]);
+      both.push_back(tone);
+    }
+  }
+  return both;
+}
+
 const char* BlendFunction(int mode)
 {
   switch (mode)
@@ -48,8 +78,12 @@ const char* BlendFunction(int mode)
 } // namespace
 
 void vtkPatternCompositor::Update(vtkPatternStyle* style, const vtkPatternToneChannels& channels,
-  vtkOpenGLRenderWindow* window, const vtkPatternLayerPainter::Scene& scene, std::string& error)
+  const vtkPatternPatches& patches, vtkOpenGLRenderWindow* window,
+  const vtkPatternLayerPainter::Scene& scene, std::string& error)
 {
+  this->Window = window;
+  this->PatchCount = patches.GetCount();
+  this->PatchesOverlap = patches.IsBlended();
   this->CurrentScene = scene;
   this->Layers.clear();
   std::map<vtkSmartPointer<vtkPatternLayer>, std::unique_ptr<vtkPatternLayerPainter>> kept;
@@ -105,14 +139,16 @@ std::string vtkPatternCompositor::GetNote() const
   return {};
 }
 
-vtkPatternLayerPainter::SurfaceNeed vtkPatternCompositor::GetSurfaceNeed() const
+vtkPatternAttributes vtkPatternCompositor::GetAttributes() const
 {
-  auto need = vtkPatternLayerPainter::NOTHING;
+  vtkPatternAttributes needed;
   for (const Drawn& layer : this->Layers)
   {
-    need = std::max(need, layer.Painter->GetSurfaceNeed());
+    needed.Surface = std::max(needed.Surface, layer.Painter->GetSurfaceNeed());
+    needed.Patches = needed.Patches || (this->PatchCount > 1 && layer.Painter->FollowsPatches());
   }
-  return need;
+  needed.PatchesOverlap = needed.Patches && this->PatchesOverlap;
+  return needed;
 }
 
 void vtkPatternCompositor::UpdateText()
@@ -125,14 +161,17 @@ void vtkPatternCompositor::UpdateText()
     const std::string number = std::to_string(i);
     const std::string tone =
       layer.Channel < 0 ? "hachureCurve@.z" : "tones[" + std::to_string(layer.Channel) + "]";
-    std::string declaration = std::string(layer.Painter->GetDeclarations()) + PatternLayer;
+    std::string declaration = layer.Painter->GetDeclarations(this->PatchCount > 1) + PatternLayer;
     vtkShaderProgram::Substitute(declaration, "TONE", tone);
     vtkShaderProgram::Substitute(declaration, "BLEND", BlendFunction(layer.Layer->GetBlendMode()));
     vtkShaderProgram::Substitute(declaration, "@", number);
     declarations += declaration;
     calls += "  color = hachureLayer" + number + "(color, position, tones);\n";
   }
-  std::string text = std::string(Ink) + Mix + Lod + PatternField + SurfacePattern + PatternCompose;
+  std::string text =
+    std::string(Ink) + Mix + Lod + PatternField + SurfacePattern + PatchBlend + PatternCompose;
+  vtkShaderProgram::Substitute(
+    text, "//Hachure::Patches::Dec", this->GetAttributes().Patches ? PatternPatches : "");
   vtkShaderProgram::Substitute(text, "//Hachure::Layers::Dec", declarations);
   vtkShaderProgram::Substitute(text, "  //Hachure::Layers::Impl", calls);
   this->ShaderText = text;
@@ -142,6 +181,7 @@ void vtkPatternCompositor::UpdateTables(vtkOpenGLRenderWindow* window)
 {
   std::vector<std::pair<vtkPatternLayerPainter*, unsigned long>> state;
   std::vector<float> rows;
+  const bool responses = this->GetAttributes().PatchesOverlap;
   for (const Drawn& layer : this->Layers)
   {
     state.emplace_back(layer.Painter, layer.Painter->GetTableVersion());
@@ -153,10 +193,11 @@ void vtkPatternCompositor::UpdateTables(vtkOpenGLRenderWindow* window)
     rows.assign(tableTones, 0.0f); // samplers must always have a texture
   }
   this->TableRows = rows.size() / tableTones;
-  if (state == this->TableState && this->Tables->GetHandle())
+  if (state == this->TableState && responses == this->TableResponses && this->Tables->GetHandle())
   {
     return;
   }
+  this->TableResponses = responses;
   this->TableState = state;
   this->Tables->ReleaseGraphicsResources(window);
   this->Tables->SetContext(window);
@@ -165,7 +206,8 @@ void vtkPatternCompositor::UpdateTables(vtkOpenGLRenderWindow* window)
   this->Tables->SetMinificationFilter(vtkTextureObject::Linear);
   this->Tables->SetMagnificationFilter(vtkTextureObject::Linear);
   this->Tables->Create2DFromRaw(static_cast<unsigned int>(tableTones),
-    static_cast<unsigned int>(this->TableRows), 1, VTK_FLOAT, rows.data());
+    static_cast<unsigned int>(this->TableRows), responses ? 2 : 1, VTK_FLOAT,
+    responses ? WithResponses(rows).data() : rows.data());
 }
 
 void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyle* style,
@@ -202,12 +244,46 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
     drawn.Painter->SetUniforms(program, number, frame, static_cast<double>(row));
     row += drawn.Painter->GetTableRows().size() / tableTones;
   }
+  if (this->GetAttributes().Patches)
+  {
+    program->SetUniformi("hachurePlacements", this->Placements->GetTextureUnit());
+  }
+}
+
+void vtkPatternCompositor::UploadPlacements(const std::vector<hachure::PatternFrame>& frames)
+{
+  const hachure::PatternFrame still;
+  std::vector<glm::vec4> texels;
+  for (int patch = 0; patch < this->PatchCount; ++patch)
+  {
+    const auto index = static_cast<std::size_t>(patch);
+    std::size_t row = 0;
+    for (const Drawn& drawn : this->Layers)
+    {
+      const auto placement = drawn.Painter->GetPlacement(
+        index < frames.size() ? frames[index] : still, static_cast<double>(row));
+      texels.insert(texels.end(), placement.begin(), placement.end());
+      row += drawn.Painter->GetTableRows().size() / tableTones;
+    }
+  }
+  if (texels == this->PlacementTexels && this->Placements->GetHandle())
+  {
+    return;
+  }
+  this->PlacementTexels = texels;
+  this->Placements->ReleaseGraphicsResources(this->Window);
+  this->Placements->SetContext(this->Window);
+  this->Placements->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Placements->SetMagnificationFilter(vtkTextureObject::Nearest);
+  const auto rows = static_cast<unsigned int>(this->PatchCount);
+  this->Placements->Create2DFromRaw(static_cast<unsigned int>(texels.size()) / rows, rows, 4,
+    VTK_FLOAT, this->PlacementTexels.data());
 }
 
 void vtkPatternCompositor::SetSurfaceUniforms(
   vtkShaderProgram* program, const vtkPatternViewport& viewport)
 {
-  if (this->GetSurfaceNeed() == vtkPatternLayerPainter::NOTHING)
+  if (!this->GetAttributes().Has(vtkPatternAttributes::POINT))
   {
     return;
   }
@@ -223,9 +299,14 @@ void vtkPatternCompositor::SetSurfaceUniforms(
   program->SetUniform2f("hachureFragmentSize", size);
 }
 
-void vtkPatternCompositor::Activate()
+void vtkPatternCompositor::Activate(const std::vector<hachure::PatternFrame>& frames)
 {
   this->Tables->Activate();
+  if (this->GetAttributes().Patches)
+  {
+    this->UploadPlacements(frames);
+    this->Placements->Activate();
+  }
   for (const Drawn& layer : this->Layers)
   {
     layer.Painter->Activate();
@@ -235,6 +316,10 @@ void vtkPatternCompositor::Activate()
 void vtkPatternCompositor::Deactivate()
 {
   this->Tables->Deactivate();
+  if (this->GetAttributes().Patches)
+  {
+    this->Placements->Deactivate();
+  }
   for (const Drawn& layer : this->Layers)
   {
     layer.Painter->Deactivate();
@@ -244,6 +329,7 @@ void vtkPatternCompositor::Deactivate()
 void vtkPatternCompositor::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Tables->ReleaseGraphicsResources(window);
+  this->Placements->ReleaseGraphicsResources(window);
   for (auto& painter : this->Painters)
   {
     if (painter.second)

@@ -9,6 +9,7 @@
 
 #include "PatternTracker.h"
 #include "vtkNew.h"
+#include "vtkPatternAttributes.h"
 #include "vtkPatternLayerPainter.h"
 #include "vtkPatternToneChannels.h"
 #include "vtkSmartPointer.h"
@@ -21,6 +22,7 @@
 
 class vtkOpenGLRenderWindow;
 class vtkPatternLayer;
+class vtkPatternPatches;
 class vtkPatternStyle;
 class vtkShaderProgram;
 class vtkWindow;
@@ -31,23 +33,25 @@ class vtkPatternCompositor
 public:
   /// Brings layers up to date; layers that cannot be drawn are left out and named in `error`.
   void Update(vtkPatternStyle* style, const vtkPatternToneChannels& channels,
-    vtkOpenGLRenderWindow* window, const vtkPatternLayerPainter::Scene& scene, std::string& error);
+    const vtkPatternPatches& patches, vtkOpenGLRenderWindow* window,
+    const vtkPatternLayerPainter::Scene& scene, std::string& error);
 
   /// What the user should know about layers that are drawn all the same; empty where all is well.
   std::string GetNote() const;
 
-  /// What the layers must know of the surface: the most that one of them needs.
-  vtkPatternLayerPainter::SurfaceNeed GetSurfaceNeed() const;
+  /// What the layers must know of the surface.
+  vtkPatternAttributes GetAttributes() const;
 
   /// Functions and uniforms; defines hachureCompose() and hachureLogicalPosition().
   const std::string& GetShaderText() const { return this->ShaderText; }
 
-  /// One pattern frame for every layer.
+  /// `frame`: where the pattern of the first patch lies, the same for every layer.
   void SetUniforms(vtkShaderProgram* program, vtkPatternStyle* style,
     const vtkPatternViewport& viewport, const double nanColor[3],
     const hachure::PatternFrame& frame);
 
-  void Activate();
+  /// `frames`: where the pattern of each patch lies.
+  void Activate(const std::vector<hachure::PatternFrame>& frames);
   void Deactivate();
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -61,6 +65,7 @@ private:
   void UpdateText();
   void SetSurfaceUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
   void UpdateTables(vtkOpenGLRenderWindow* window);
+  void UploadPlacements(const std::vector<hachure::PatternFrame>& frames);
 
   std::map<vtkSmartPointer<vtkPatternLayer>, std::unique_ptr<vtkPatternLayerPainter>> Painters;
   std::vector<Drawn> Layers;
@@ -68,7 +73,13 @@ private:
   vtkNew<vtkTextureObject> Tables;
   std::vector<std::pair<vtkPatternLayerPainter*, unsigned long>> TableState;
   std::size_t TableRows = 0;
+  bool TableResponses = false; // the tables hold responses, too
   vtkPatternLayerPainter::Scene CurrentScene;
+  int PatchCount = 1;
+  bool PatchesOverlap = false;
+  vtkNew<vtkTextureObject> Placements; // per patch and layer
+  std::vector<glm::vec4> PlacementTexels;
+  vtkOpenGLRenderWindow* Window = nullptr; // of the last update
 };
 
 #endif

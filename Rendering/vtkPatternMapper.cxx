@@ -22,6 +22,7 @@
 #include "vtkPatternBlocks.h"
 #include "vtkPatternCompositor.h"
 #include "vtkPatternMapperHelper.h"
+#include "vtkPatternPatches.h"
 #include "vtkPatternScreenPass.h"
 #include "vtkPatternShaderInjector.h"
 #include "vtkPatternStyle.h"
@@ -58,6 +59,7 @@ struct vtkPatternMapper::WindowPart
 struct vtkPatternMapper::Internals
 {
   vtkPatternToneChannels Channels;
+  vtkPatternPatches Patches;
   vtkTimeStamp ChannelTime;
   bool UsesTextureCoordinates = false; // once needed, they stay in the vertex buffers
   std::map<vtkWindow*, WindowPart> Windows;
@@ -136,6 +138,7 @@ vtkPatternLayerPainter::Scene PainterScene(vtkRenderer* renderer, vtkActor* acto
 
 vtkPatternMapper::vtkPatternMapper()
   : Style(vtkSmartPointer<vtkPatternStyle>::New())
+  , PatchArrayName(vtkPatternPatches::DefaultArrayName())
   , Internal(std::make_unique<Internals>())
 {
 }
@@ -194,6 +197,25 @@ void vtkPatternMapper::RemoveAllKeyTimes()
 {
   this->Internal->KeyTimes.clear();
   this->Modified();
+}
+
+void vtkPatternMapper::SetPatchArrayName(const std::string& name)
+{
+  if (this->PatchArrayName != name)
+  {
+    this->PatchArrayName = name;
+    this->Modified();
+  }
+}
+
+std::string vtkPatternMapper::GetPatchArrayName()
+{
+  return this->PatchArrayName;
+}
+
+const vtkPatternPatches& vtkPatternMapper::GetPatches() const
+{
+  return this->Internal->Patches;
 }
 
 const vtkPatternToneChannels& vtkPatternMapper::GetToneChannels() const
@@ -269,6 +291,18 @@ bool vtkPatternMapper::GetDrawnFrame(vtkRenderer* renderer, double frame[6])
     return false;
   }
   Store(track->Frames[0], frame);
+  return true;
+}
+
+bool vtkPatternMapper::GetDrawnFrame(vtkRenderer* renderer, int patch, double frame[6])
+{
+  vtkPatternViewContext* context = vtkPatternViewContext::Find(renderer);
+  const auto* track = context ? context->FindTrack(this, nullptr) : nullptr;
+  if (!track || patch < 0 || static_cast<std::size_t>(patch) >= track->Frames.size())
+  {
+    return false;
+  }
+  Store(track->Frames[static_cast<std::size_t>(patch)], frame);
   return true;
 }
 
@@ -375,6 +409,17 @@ void vtkPatternMapper::UpdateChannels()
   }
 }
 
+void vtkPatternMapper::UpdatePatches(std::string& error)
+{
+  const unsigned long before = this->Internal->Patches.GetVersion();
+  this->Internal->Patches.Collect(this->GetInputDataObject(0, 0), this->PatchArrayName, error);
+  if (this->Internal->Patches.GetVersion() != before)
+  {
+    this->Internal->ChannelTime.Modified();
+    this->Modified();
+  }
+}
+
 void vtkPatternMapper::UpdateTextureCoordinates(bool needed)
 {
   if (needed && !this->Internal->UsesTextureCoordinates)
@@ -416,14 +461,15 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->UpdateChannels();
   std::string error = this->Internal->ChannelError;
+  this->UpdatePatches(error);
   WindowPart& part = this->Internal->Windows[window];
   part.Resources = vtkPatternWindowResources::Get(window);
   double bounds[6];
   this->GetBounds(bounds);
-  part.Compositor.Update(this->Style, this->Internal->Channels, window,
+  part.Compositor.Update(this->Style, this->Internal->Channels, this->Internal->Patches, window,
     PainterScene(renderer, actor, viewport, this->Style, bounds), error);
   this->UpdateTextureCoordinates(
-    part.Compositor.GetSurfaceNeed() == vtkPatternLayerPainter::POINT_AND_TEXTURE);
+    part.Compositor.GetAttributes().Has(vtkPatternAttributes::TEXTURE));
   this->Report(error, this->Internal->ReportedStyle);
   const std::string note = part.Compositor.GetNote();
   if (!note.empty() && note != this->Internal->ReportedNote)
@@ -455,14 +501,14 @@ void vtkPatternMapper::RenderForward(Drawing& drawing)
   const std::array<double, 3> nanColor = this->GetNanColor();
   vtkPatternShaderInjector* injector = this->Internal->ForwardInjector;
   injector->Configure(vtkPatternShaderInjector::FORWARD, this->Internal->Channels,
-    this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
-    drawing.Part.Compositor.GetSurfaceNeed(), drawing.Part.Compositor.GetShaderText());
+    this->Style->GetPaperSource() == vtkPatternStyle::FLAT, drawing.Part.Compositor.GetAttributes(),
+    drawing.Part.Compositor.GetShaderText());
   injector->UniformSetter = [&](vtkShaderProgram* program)
   {
     drawing.Part.Compositor.SetUniforms(
       program, this->Style, drawing.Viewport, nanColor.data(), drawing.Track->Frames[0]);
   };
-  drawing.Part.Compositor.Activate();
+  drawing.Part.Compositor.Activate(drawing.Track->Frames);
   {
     const ScopedInjector scoped(drawing.Actor, injector);
     this->Superclass::Render(drawing.Renderer, drawing.Actor);
@@ -474,7 +520,7 @@ void vtkPatternMapper::RenderForward(Drawing& drawing)
 void vtkPatternMapper::RenderOpaque(Drawing& drawing)
 {
   vtkPatternWindowResources& resources = *drawing.Part.Resources;
-  if (!resources.Prepare(drawing.Window, drawing.Part.Compositor.GetSurfaceNeed()))
+  if (!resources.Prepare(drawing.Window, drawing.Part.Compositor.GetAttributes()))
   {
     this->Report("the window's OpenGL cannot draw to the attribute images; expected floating "
                  "point colour attachments (OpenGL 3.2)",
@@ -498,7 +544,7 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
   {
     this->DrawAttributes(drawing);
     const vtkPatternScreenPass::Scene scene = { drawing.Renderer, drawing.Actor, drawing.Window,
-      this->Style, drawing.Viewport, drawing.Rectangle, drawing.Track->Frames[0],
+      this->Style, drawing.Viewport, drawing.Rectangle, drawing.Track->Frames,
       this->GetNanColor() };
     if (!drawing.Part.ScreenPass.Draw(scene, resources, drawing.Part.Compositor))
     {
@@ -523,8 +569,8 @@ void vtkPatternMapper::DrawAttributes(Drawing& drawing)
 {
   vtkPatternShaderInjector* injector = this->Internal->AttributeInjector;
   injector->Configure(vtkPatternShaderInjector::ATTRIBUTES, this->Internal->Channels,
-    this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
-    drawing.Part.Compositor.GetSurfaceNeed(), std::string());
+    this->Style->GetPaperSource() == vtkPatternStyle::FLAT, drawing.Part.Compositor.GetAttributes(),
+    std::string());
 
   vtkOpenGLState* state = drawing.Window->GetState();
   state->PushFramebufferBindings();
@@ -536,7 +582,7 @@ void vtkPatternMapper::DrawAttributes(Drawing& drawing)
     vtkOpenGLState::ScopedglDepthMask depthMask(state);
     drawing.Part.Resources->AttributeFramebuffer->Bind();
     drawing.Part.Resources->AttributeFramebuffer->ActivateDrawBuffers(
-      vtkPatternWindowResources::AttributeCount(drawing.Part.Compositor.GetSurfaceNeed()));
+      static_cast<unsigned int>(drawing.Part.Compositor.GetAttributes().Images().size()));
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(
       drawing.Rectangle[0], drawing.Rectangle[1], drawing.Rectangle[2], drawing.Rectangle[3]);
@@ -606,5 +652,6 @@ void vtkPatternMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TrackedMapper: " << this->TrackedMapper.Get() << "\n";
   os << indent << "CameraPath: " << this->CameraPath.Get() << "\n";
   os << indent << "AnimationTime: " << this->AnimationTime << "\n";
+  os << indent << "PatchArrayName: " << this->PatchArrayName << "\n";
   os << indent << "ReplayStep: " << this->ReplayStep << "\n";
 }

@@ -18,7 +18,7 @@
  * Patterns move by the 2D similarity that fits the motion of samples on the surface best (Breslav
  * et al. 2007, Dynamic 2D Patterns for Shading 3D Scenes), separately in every renderer. In the
  * tracking mode ANCHORED of the style the picture is a pure function of surface, camera, style and
- * path; see SetCameraPath().
+ * path; see SetCameraPath(). The patches of a surface move separately; see SetPatchArrayName().
  *
  * Samples and their weights take at most 200 bytes each, 500 a patch by default.
  *
@@ -36,10 +36,11 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <string> // for the name of the patch array
+
 #ifndef __VTK_WRAP__
 #include <array>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace hachure
@@ -110,6 +111,17 @@ public:
   vtkGetMacro(ReplayStep, double);
   ///@}
 
+  ///@{
+  /**
+   * Cell array of whole numbers, 0 to 8191, that tells patches of the surface apart; each patch has
+   * a pattern that moves by itself. With the point arrays of vtkPatchBlendWeights, patterns blend
+   * near the borders of patches. Default "PatchId", which the input need not have; empty: one
+   * patch. Any other array must be there.
+   */
+  virtual void SetPatchArrayName(const std::string& name);
+  virtual std::string GetPatchArrayName();
+  ///@}
+
   /**
    * Forgets how the patterns have moved in a renderer: the next frame anchors them anew.
    */
@@ -123,6 +135,7 @@ public:
    * next frame on. Returns false before the first frame.
    */
   virtual bool GetDrawnFrame(vtkRenderer* renderer, double frame[6]);
+  virtual bool GetDrawnFrame(vtkRenderer* renderer, int patch, double frame[6]);
   virtual bool GetCommittedFrame(vtkRenderer* renderer, double frame[6]);
   ///@}
 
@@ -153,6 +166,7 @@ public:
     return this->Stage;
   }
   const class vtkPatternToneChannels& GetToneChannels() const;
+  const class vtkPatternPatches& GetPatches() const;
   /// Whether the vertex buffers hold texture coordinates for the style.
   bool GetUsesTextureCoordinates() const;
   std::vector<hachure::PatternFrame> AnchoredFrames(const hachure::TrackedSamples& samples,
@@ -179,6 +193,7 @@ private:
   struct Drawing;
   bool DrawsPatterns(vtkRenderer* renderer, vtkActor* actor);
   void UpdateChannels();
+  void UpdatePatches(std::string& error);
   void UpdateTextureCoordinates(bool needed);
   void Report(const std::string& error, std::string& reported);
   void RenderOpaque(Drawing& drawing);
@@ -192,6 +207,7 @@ private:
   vtkSmartPointer<vtkCameraInterpolator> CameraPath;
   double AnimationTime = 0.0;
   double ReplayStep = 1.0 / 24.0;
+  std::string PatchArrayName;
   DrawStage Stage = DrawStage::Stock;
   std::unique_ptr<Internals> Internal;
 };

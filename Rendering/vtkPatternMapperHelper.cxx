@@ -13,6 +13,7 @@
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPatternMapper.h"
+#include "vtkPatternPatches.h"
 #include "vtkPatternTone.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -99,25 +100,77 @@ void vtkPatternMapperHelper::DrawSelection(vtkRenderer* renderer, vtkActor* acto
   }
 }
 
+template <class Value>
+void vtkPatternMapperHelper::NumberBuffer::Upload(
+  vtkOpenGLRenderWindow* window, const std::vector<Value>& values, int components)
+{
+  this->Texture = nullptr;
+  if (values.empty())
+  {
+    return;
+  }
+  this->Buffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
+  this->Buffer->SetType(vtkOpenGLBufferObject::TextureBuffer);
+  this->Buffer->Upload(values, vtkOpenGLBufferObject::TextureBuffer);
+  this->Texture = vtkSmartPointer<vtkTextureObject>::New();
+  this->Texture->SetContext(window);
+  const std::size_t numbers = values.size() * sizeof(Value) / sizeof(float);
+  this->Texture->CreateTextureBuffer(
+    static_cast<unsigned int>(numbers / static_cast<std::size_t>(components)), components,
+    VTK_FLOAT, this->Buffer);
+}
+
+bool vtkPatternMapperHelper::NumberBuffer::IsUsable() const
+{
+  return this->Texture && this->Texture->GetHandle();
+}
+
+void vtkPatternMapperHelper::NumberBuffer::Release(vtkWindow* window)
+{
+  if (this->Texture)
+  {
+    this->Texture->ReleaseGraphicsResources(window);
+    this->Texture = nullptr;
+  }
+  if (this->Buffer)
+  {
+    this->Buffer->ReleaseGraphicsResources();
+    this->Buffer = nullptr;
+  }
+}
+
+std::vector<std::pair<std::string, vtkPatternMapperHelper::NumberBuffer*>>
+vtkPatternMapperHelper::NumberBuffers()
+{
+  std::vector<std::pair<std::string, NumberBuffer*>> buffers = { { "hachurePatchOfTriangle",
+                                                                   &this->PatchOfTriangle },
+    { "hachurePatchRecords", &this->PatchRecords } };
+  for (std::size_t i = 0; i < this->CellTones.size(); ++i)
+  {
+    buffers.emplace_back("hachureCellTone" + std::to_string(i), &this->CellTones[i]);
+  }
+  return buffers;
+}
+
 void vtkPatternMapperHelper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::RenderPieceStart(renderer, actor);
-  for (CellTone& tone : this->CellTones)
+  for (const auto& named : this->NumberBuffers())
   {
-    if (tone.Texture && tone.Texture->GetHandle())
+    if (named.second->IsUsable())
     {
-      tone.Texture->Activate();
+      named.second->Texture->Activate();
     }
   }
 }
 
 void vtkPatternMapperHelper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
 {
-  for (CellTone& tone : this->CellTones)
+  for (const auto& named : this->NumberBuffers())
   {
-    if (tone.Texture && tone.Texture->GetHandle())
+    if (named.second->IsUsable())
     {
-      tone.Texture->Deactivate();
+      named.second->Texture->Deactivate();
     }
   }
   this->Superclass::RenderPieceFinish(renderer, actor);
@@ -128,12 +181,11 @@ void vtkPatternMapperHelper::SetMapperShaderParameters(
 {
   this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
   this->SetCoordinates(cellBO.Program);
-  for (std::size_t i = 0; i < this->CellTones.size(); ++i)
+  for (const auto& named : this->NumberBuffers())
   {
-    const std::string name = "hachureCellTone" + std::to_string(i);
-    if (this->CellTones[i].Texture && cellBO.Program->IsUniformUsed(name.c_str()))
+    if (named.second->Texture && cellBO.Program->IsUniformUsed(named.first.c_str()))
     {
-      cellBO.Program->SetUniformi(name.c_str(), this->CellTones[i].Texture->GetTextureUnit());
+      cellBO.Program->SetUniformi(named.first.c_str(), named.second->Texture->GetTextureUnit());
     }
   }
 }
@@ -141,6 +193,7 @@ void vtkPatternMapperHelper::SetMapperShaderParameters(
 void vtkPatternMapperHelper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 {
   this->AppendedPoints.clear();
+  this->Patches = {};
   for (CellTone& tone : this->CellTones)
   {
     tone.Values.clear();
@@ -149,21 +202,16 @@ void vtkPatternMapperHelper::BuildBufferObjects(vtkRenderer* renderer, vtkActor*
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   for (CellTone& tone : this->CellTones)
   {
-    if (tone.Values.empty())
-    {
-      tone.Texture = nullptr;
-      continue;
-    }
-    tone.Buffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
-    tone.Buffer->SetType(vtkOpenGLBufferObject::TextureBuffer);
-    tone.Buffer->Upload(tone.Values, vtkOpenGLBufferObject::TextureBuffer);
-    tone.Texture = vtkSmartPointer<vtkTextureObject>::New();
-    tone.Texture->SetContext(window);
-    tone.Texture->CreateTextureBuffer(
-      static_cast<unsigned int>(tone.Values.size() / 2), 2, VTK_FLOAT, tone.Buffer);
-    tone.Values.clear();
-    tone.Values.shrink_to_fit();
+    tone.Upload(window, tone.Values, 2);
+    tone.Values = {};
   }
+  if (!this->Patches.triangles.empty() && this->Patches.records.empty())
+  {
+    this->Patches.records.resize(hachure::patchRecordTexels); // samplers must have a texture
+  }
+  this->PatchOfTriangle.Upload(window, this->Patches.triangles, 1);
+  this->PatchRecords.Upload(window, this->Patches.records, 4);
+  this->Patches = {};
 }
 
 void vtkPatternMapperHelper::AppendPointTones(vtkPolyData* poly)
@@ -257,6 +305,26 @@ void vtkPatternMapperHelper::AppendCellTones(vtkPatternHelperData* data, int rep
   }
 }
 
+void vtkPatternMapperHelper::AppendPatches(vtkPatternHelperData* data, int representation)
+{
+  const vtkPatternPatches& patches = this->GetMapper()->GetPatches();
+  if (!patches.IsActive())
+  {
+    return;
+  }
+  vtkPolyData* poly = vtkPatternHelperPolyData(data);
+  vtkCellArray* primitives[4] = { poly->GetVerts(), poly->GetLines(), poly->GetPolys(),
+    poly->GetStrips() };
+  data->CellCellMap->Update(primitives, representation, poly->GetPoints());
+  std::vector<vtkIdType> cells(data->CellCellMap->GetSize());
+  for (std::size_t primitive = 0; primitive < cells.size(); ++primitive)
+  {
+    cells[primitive] = data->CellCellMap->GetValue(primitive);
+  }
+  const vtkIdType* offsets = data->CellCellMap->GetPrimitiveOffsets();
+  patches.Append(poly, cells, static_cast<std::size_t>(offsets[2] - offsets[0]), this->Patches);
+}
+
 void vtkPatternMapperHelper::AppendOneBufferObject(vtkRenderer* renderer, vtkActor* actor,
   vtkPatternHelperData* data, vtkIdType& offset, std::vector<unsigned char>& colors,
   std::vector<float>& normals)
@@ -273,23 +341,15 @@ void vtkPatternMapperHelper::AppendOneBufferObject(vtkRenderer* renderer, vtkAct
   if (hasPoints)
   {
     this->AppendCellTones(data, actor->GetProperty()->GetRepresentation());
+    this->AppendPatches(data, actor->GetProperty()->GetRepresentation());
   }
 }
 
 void vtkPatternMapperHelper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (CellTone& tone : this->CellTones)
+  for (const auto& named : this->NumberBuffers())
   {
-    if (tone.Texture)
-    {
-      tone.Texture->ReleaseGraphicsResources(window);
-      tone.Texture = nullptr;
-    }
-    if (tone.Buffer)
-    {
-      tone.Buffer->ReleaseGraphicsResources();
-      tone.Buffer = nullptr;
-    }
+    named.second->Release(window);
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -9,15 +9,19 @@
 
 #include "vtkHachureCompatibility.h"
 
+#include "TrianglePatches.h"
 #include "vtkPatternCompositeMapper.h"
 #include "vtkPatternToneChannels.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 class vtkOpenGLBufferObject;
+class vtkOpenGLRenderWindow;
 class vtkPatternMapper;
 class vtkShaderProgram;
 class vtkTextureObject;
@@ -44,11 +48,19 @@ protected:
     vtkIdType& offset, std::vector<unsigned char>& colors, std::vector<float>& normals) override;
 
 private:
-  struct CellTone
+  /// Numbers that a shader reads one by one.
+  struct NumberBuffer
   {
-    std::vector<float> Values;
     vtkSmartPointer<vtkOpenGLBufferObject> Buffer;
     vtkSmartPointer<vtkTextureObject> Texture;
+    template <class Value>
+    void Upload(vtkOpenGLRenderWindow* window, const std::vector<Value>& values, int components);
+    bool IsUsable() const;
+    void Release(vtkWindow* window);
+  };
+  struct CellTone : NumberBuffer
+  {
+    std::vector<float> Values;
   };
   vtkPatternMapper* GetMapper();
   void DrawSelection(vtkRenderer* renderer, vtkActor* actor);
@@ -56,8 +68,13 @@ private:
   void AppendTextureCoordinates(vtkPolyData* poly);
   void SetCoordinates(vtkShaderProgram* program);
   void AppendCellTones(vtkPatternHelperData* data, int representation);
+  void AppendPatches(vtkPatternHelperData* data, int representation);
+  std::vector<std::pair<std::string, NumberBuffer*>> NumberBuffers();
 
   std::array<CellTone, vtkPatternToneChannels::Maximum> CellTones;
+  hachure::TrianglePatches Patches; // while buffers are built
+  NumberBuffer PatchOfTriangle;
+  NumberBuffer PatchRecords;
   std::set<vtkDataArray*> AppendedPoints;
 };
 

@@ -107,6 +107,7 @@ void vtkPatternSamples::Sample(vtkDataObject* input, const Options& options)
   sampler->SetInputDataObject(input);
   sampler->SetSamplesPerPatch(options.SamplesPerPatch);
   sampler->SetSeed(options.Seed);
+  sampler->SetPatchArrayName(options.PatchArrayName);
   sampler->Update();
   vtkPolyData* samples = sampler->GetOutput();
   const vtkIdType count = samples->GetNumberOfPoints();

@@ -13,6 +13,7 @@
 #include <array>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 class vtkDataObject;
@@ -25,9 +26,12 @@ public:
   {
     int SamplesPerPatch = 500;
     std::uint32_t Seed = 1;
+    std::string PatchArrayName;  // empty: one patch
+    std::uint64_t PatchHash = 0; // another number: other patches
     bool operator!=(const Options& other) const
     {
-      return this->SamplesPerPatch != other.SamplesPerPatch || this->Seed != other.Seed;
+      return this->SamplesPerPatch != other.SamplesPerPatch || this->Seed != other.Seed ||
+        this->PatchArrayName != other.PatchArrayName || this->PatchHash != other.PatchHash;
     }
   };
 

@@ -40,18 +40,21 @@ std::string vtkPatternScreenPass::Text(
 {
   std::string text = PatternScreenFS;
   vtkShaderProgram::Substitute(text, "//Hachure::Compose::Dec", compositor.GetShaderText());
-  const auto need = compositor.GetSurfaceNeed();
+  const vtkPatternAttributes needed = compositor.GetAttributes();
   std::string surfaceDec;
   std::string surfaceImpl;
-  if (need >= vtkPatternLayerPainter::POINT)
+  const std::pair<vtkPatternAttributes::Image, const char*> kinds[] = {
+    { vtkPatternAttributes::PATCH, "Patch" }, { vtkPatternAttributes::POINT, "Point" },
+    { vtkPatternAttributes::TEXTURE, "Texture" }
+  };
+  for (const auto& kind : kinds)
   {
-    surfaceDec += vtkPattern::ShaderSection(PatternSurfaceImages, "PointDec");
-    surfaceImpl += vtkPattern::ShaderSection(PatternSurfaceImages, "PointImpl");
-  }
-  if (need >= vtkPatternLayerPainter::POINT_AND_TEXTURE)
-  {
-    surfaceDec += vtkPattern::ShaderSection(PatternSurfaceImages, "TextureDec");
-    surfaceImpl += vtkPattern::ShaderSection(PatternSurfaceImages, "TextureImpl");
+    if (needed.Has(kind.first))
+    {
+      const std::string name = kind.second;
+      surfaceDec += vtkPattern::ShaderSection(PatternSurfaceImages, name + "Dec");
+      surfaceImpl += vtkPattern::ShaderSection(PatternSurfaceImages, name + "Impl");
+    }
   }
   vtkShaderProgram::Substitute(text, "//Hachure::Surface::Dec", surfaceDec);
   vtkShaderProgram::Substitute(text, "//Hachure::Surface::Impl", surfaceImpl);
@@ -102,13 +105,14 @@ bool vtkPatternScreenPass::Draw(
     return false;
   }
   const std::pair<const char*, vtkTextureObject*> images[] = {
-    { "hachureSurfaceColor", resources.SurfaceColor },
-    { "hachureSurfaceTone", resources.SurfaceTone },
-    { "hachureSurfaceNormal", resources.SurfaceNormal },
+    { "hachureSurfaceColor", resources.GetImage(vtkPatternAttributes::COLOR) },
+    { "hachureSurfaceTone", resources.GetImage(vtkPatternAttributes::TONE) },
+    { "hachureSurfaceNormal", resources.GetImage(vtkPatternAttributes::NORMAL) },
     { "hachureSurfaceDepth", resources.SurfaceDepth },
-    { "hachureSurfacePoint", resources.SurfacePoint },
-    { "hachureSurfaceTexture", resources.SurfaceTexture },
-    { "hachureSurfaceTextureSlopes", resources.SurfaceTextureSlopes },
+    { "hachureSurfacePatch", resources.GetImage(vtkPatternAttributes::PATCH) },
+    { "hachureSurfacePoint", resources.GetImage(vtkPatternAttributes::POINT) },
+    { "hachureSurfaceTexture", resources.GetImage(vtkPatternAttributes::TEXTURE) },
+    { "hachureSurfaceTextureSlopes", resources.GetImage(vtkPatternAttributes::TEXTURE_SLOPES) },
   };
   for (const auto& image : images)
   {
@@ -118,8 +122,9 @@ bool vtkPatternScreenPass::Draw(
       program->SetUniformi(image.first, image.second->GetTextureUnit());
     }
   }
-  compositor.Activate();
-  compositor.SetUniforms(program, scene.Style, scene.Viewport, scene.NanColor.data(), scene.Frame);
+  compositor.Activate(scene.Frames);
+  compositor.SetUniforms(
+    program, scene.Style, scene.Viewport, scene.NanColor.data(), scene.Frames.front());
   this->DrawRectangle(scene);
   compositor.Deactivate();
   for (const auto& image : images)

@@ -12,6 +12,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkActor;
 class vtkOpenGLQuadHelper;
@@ -37,8 +38,8 @@ public:
     vtkOpenGLRenderWindow* Window;
     vtkPatternStyle* Style;
     const vtkPatternViewport& Viewport;
-    std::array<int, 4> Rectangle; // x, y, width, height in the framebuffer
-    const hachure::PatternFrame& Frame;
+    std::array<int, 4> Rectangle;                     // x, y, width, height in the framebuffer
+    const std::vector<hachure::PatternFrame>& Frames; // per patch
     std::array<double, 3> NanColor;
   };
 

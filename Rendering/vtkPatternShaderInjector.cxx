@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatternShaderInjector.h"
 
+#include "PatchBlend.h"
 #include "PatternSurface.h"
 #include "vtkObjectFactory.h"
 #include "vtkPatternShaderText.h"
@@ -36,17 +37,17 @@ const char* const output = "//Hachure::Output";
 } // namespace
 
 void vtkPatternShaderInjector::Configure(StageType stage, const vtkPatternToneChannels& channels,
-  bool flatPaper, vtkPatternLayerPainter::SurfaceNeed need, const std::string& composeText)
+  bool flatPaper, const vtkPatternAttributes& attributes, const std::string& composeText)
 {
   if (this->ConfigureTime.GetMTime() > 0 && stage == this->Stage && channels == this->Channels &&
-    flatPaper == this->FlatPaper && need == this->Need && composeText == this->ComposeText)
+    flatPaper == this->FlatPaper && attributes == this->Needed && composeText == this->ComposeText)
   {
     return;
   }
   this->Stage = stage;
   this->Channels = channels;
   this->FlatPaper = flatPaper;
-  this->Need = need;
+  this->Needed = attributes;
   this->ComposeText = composeText;
   this->ConfigureTime.Modified();
 }
@@ -67,13 +68,66 @@ bool vtkPatternShaderInjector::Place(
 std::string vtkPatternShaderInjector::SurfaceText(const std::string& ending) const
 {
   std::string text;
-  if (this->Need >= vtkPatternLayerPainter::POINT)
+  if (this->Needed.Has(vtkPatternAttributes::POINT) || this->Needed.PatchesOverlap)
   {
     text += Section("Point" + ending);
   }
-  if (this->Need >= vtkPatternLayerPainter::POINT_AND_TEXTURE)
+  if (this->Needed.Has(vtkPatternAttributes::TEXTURE))
   {
     text += Section("Texture" + ending);
+  }
+  return text;
+}
+
+std::string vtkPatternShaderInjector::SurfaceValues() const
+{
+  std::string text;
+  if (this->Needed.Has(vtkPatternAttributes::POINT))
+  {
+    text += Section("FacetFSImpl");
+  }
+  if (this->Needed.Has(vtkPatternAttributes::TEXTURE))
+  {
+    text += Section("TextureFSImpl");
+  }
+  if (this->Needed.Patches)
+  {
+    text += Section("PatchFSImpl");
+    text += this->Needed.PatchesOverlap ? Section("PatchBlendFSImpl") : std::string();
+  }
+  return text;
+}
+
+std::string vtkPatternShaderInjector::SurfaceOutputs() const
+{
+  const bool forward = this->Stage == FORWARD;
+  std::string text;
+  const auto images = this->Needed.Images();
+  for (std::size_t output = 0; output < images.size(); ++output)
+  {
+    std::string name;
+    switch (images[output])
+    {
+      case vtkPatternAttributes::PATCH:
+        name = "Patch";
+        break;
+      case vtkPatternAttributes::POINT:
+        name = "Point";
+        break;
+      case vtkPatternAttributes::TEXTURE:
+        name = "Texture";
+        break;
+      case vtkPatternAttributes::TEXTURE_SLOPES:
+        name = forward ? "" : "Slopes"; // goes with the coordinates
+        break;
+      default:;
+    }
+    if (!name.empty())
+    {
+      std::string section = Section(name + (forward ? "Forward" : "Attribute"));
+      vtkShaderProgram::Substitute(section, "[IMAGE]", "[" + std::to_string(output) + "]");
+      text += section;
+    }
   }
   return text;
 }
@@ -86,6 +140,10 @@ bool vtkPatternShaderInjector::PreReplaceShaderValues(std::string& vertexShader,
   std::string geometryDec = this->SurfaceText("GSDec");
   std::string geometryImpl = this->SurfaceText("GSImpl");
   std::string fragmentDec = Section("Dec") + this->ComposeText + this->SurfaceText("FSDec");
+  if (this->Needed.Patches)
+  {
+    fragmentDec += (this->Stage == ATTRIBUTES ? PatchBlend : "") + Section("PatchFSDec");
+  }
   const auto& channels = this->Channels.Get();
   for (std::size_t i = 0; i < channels.size(); ++i)
   {
@@ -161,9 +219,9 @@ bool vtkPatternShaderInjector::PostReplaceShaderValues(
 
   std::string text = Section(lit ? "NormalLit" : "NormalUnlit") + Section(edges) +
     Section("ToneStart") + this->ToneText() +
-    (this->FlatPaper ? Section("FlatPaper") : std::string()) + this->SurfaceText("FSImpl") +
-    (this->Stage == ATTRIBUTES ? Section("Attributes") + this->SurfaceText("Attribute")
-                               : this->SurfaceText("Forward") + Section("Forward"));
+    (this->FlatPaper ? Section("FlatPaper") : std::string()) + this->SurfaceValues() +
+    (this->Stage == ATTRIBUTES ? Section("Attributes") + this->SurfaceOutputs()
+                               : this->SurfaceOutputs() + Section("Forward"));
   return this->Place(fragmentShader, beforeLight, Section("BeforeLight" + shading)) &&
     this->Place(fragmentShader, afterLight, Section("AfterLight" + shading)) &&
     this->Place(fragmentShader, output, text);

@@ -11,7 +11,7 @@
 #define vtkPatternShaderInjector_h
 
 #include "vtkOpenGLRenderPass.h"
-#include "vtkPatternLayerPainter.h"
+#include "vtkPatternAttributes.h"
 #include "vtkPatternToneChannels.h"
 
 #include <functional>
@@ -32,7 +32,7 @@ public:
 
   /// What to inject; a change makes VTK build the shader anew.
   void Configure(StageType stage, const vtkPatternToneChannels& channels, bool flatPaper,
-    vtkPatternLayerPainter::SurfaceNeed need, const std::string& composeText);
+    const vtkPatternAttributes& attributes, const std::string& composeText);
 
   /// Sets the values of our uniforms whenever a program is used.
   std::function<void(vtkShaderProgram*)> UniformSetter;
@@ -55,11 +55,13 @@ private:
   std::string ToneText() const;
   /// The pieces of what the layers need of the surface: sections with this ending.
   std::string SurfaceText(const std::string& ending) const;
+  std::string SurfaceValues() const;
+  std::string SurfaceOutputs() const;
 
   StageType Stage = ATTRIBUTES;
   vtkPatternToneChannels Channels;
   bool FlatPaper = false;
-  vtkPatternLayerPainter::SurfaceNeed Need = vtkPatternLayerPainter::NOTHING;
+  vtkPatternAttributes Needed;
   std::string ComposeText;
   vtkTimeStamp ConfigureTime;
 };

@@ -12,6 +12,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternMapper.h"
+#include "vtkPatternPatches.h"
 #include "vtkPatternStyle.h"
 #include "vtkPatternViewport.h"
 #include "vtkRenderer.h"
@@ -170,6 +171,12 @@ void vtkPatternViewContext::Predict(Track& track, const vtkPatternViewport& view
   vtkPatternStyle* style = track.Mapper->GetStyle();
   vtkPatternSamples::Options options;
   options.SamplesPerPatch = style->GetSamplesPerPatch();
+  const vtkPatternPatches& patches = track.Mapper->GetPatches();
+  if (patches.IsActive())
+  {
+    options.PatchArrayName = patches.GetArrayName();
+    options.PatchHash = patches.GetHash();
+  }
   const bool changed = track.Samples.Update(track.Mapper->GetInputDataObject(0, 0), options);
   const hachure::TrackedSamples samples = track.Samples.Tracked();
   if (samples.positions.empty())

@@ -23,62 +23,66 @@ std::shared_ptr<vtkPatternWindowResources> vtkPatternWindowResources::Get(
   return resources;
 }
 
-unsigned int vtkPatternWindowResources::AttributeCount(vtkPatternLayerPainter::SurfaceNeed need)
-{
-  switch (need)
-  {
-    case vtkPatternLayerPainter::POINT:
-      return 4;
-    case vtkPatternLayerPainter::POINT_AND_TEXTURE:
-      return 6;
-    default:
-      return 3;
-  }
-}
-
 bool vtkPatternWindowResources::Prepare(
-  vtkOpenGLRenderWindow* window, vtkPatternLayerPainter::SurfaceNeed need)
+  vtkOpenGLRenderWindow* window, const vtkPatternAttributes& attributes)
 {
   const int* size = window->GetActualSize();
-  const auto width = static_cast<unsigned int>(size[0]);
-  const auto height = static_cast<unsigned int>(size[1]);
-  if (this->SurfaceColor->GetHandle() && this->SurfaceColor->GetWidth() == width &&
-    this->SurfaceColor->GetHeight() == height && need <= this->Need)
+  if (this->Size[0] != size[0] || this->Size[1] != size[1])
+  {
+    this->ReleaseGraphicsResources(window);
+    this->Size = { size[0], size[1] };
+  }
+  else if (this->SurfaceDepth->GetHandle() && this->Attached == attributes)
   {
     return true;
   }
-  this->ReleaseGraphicsResources(window);
-  this->Need = std::max(this->Need, need);
-  const unsigned int count = AttributeCount(this->Need);
-  vtkTextureObject* const images[] = { this->SurfaceColor, this->SurfaceTone, this->SurfaceNormal,
-    this->SurfacePoint, this->SurfaceTexture, this->SurfaceTextureSlopes, this->SurfaceDepth };
-  for (vtkTextureObject* texture : images)
+  return this->Attach(window, attributes);
+}
+
+bool vtkPatternWindowResources::Attach(
+  vtkOpenGLRenderWindow* window, const vtkPatternAttributes& attributes)
+{
+  const auto width = static_cast<unsigned int>(this->Size[0]);
+  const auto height = static_cast<unsigned int>(this->Size[1]);
+  const auto images = attributes.Images();
+  const auto make = [&](vtkTextureObject* texture)
   {
     texture->SetContext(window);
     texture->SetMinificationFilter(vtkTextureObject::Nearest);
     texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  }
-  this->SurfaceColor->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR);
-  this->SurfaceTone->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR);
-  this->SurfaceNormal->Allocate2D(width, height, 1, VTK_FLOAT);
-  for (unsigned int i = AttributeCount(vtkPatternLayerPainter::NOTHING); i < count; ++i)
+    return !texture->GetHandle();
+  };
+  for (const vtkPatternAttributes::Image image : images)
   {
-    images[i]->Allocate2D(width, height, 4, VTK_FLOAT);
+    const bool bytes = image <= vtkPatternAttributes::TONE;
+    const int components = image == vtkPatternAttributes::NORMAL ? 1 : 4;
+    if (make(this->Images[image]))
+    {
+      this->Images[image]->Allocate2D(
+        width, height, components, bytes ? VTK_UNSIGNED_CHAR : VTK_FLOAT);
+    }
   }
-  this->SurfaceDepth->AllocateDepth(width, height, vtkTextureObject::Fixed32);
+  if (make(this->SurfaceDepth))
+  {
+    this->SurfaceDepth->AllocateDepth(width, height, vtkTextureObject::Fixed32);
+  }
 
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   this->AttributeFramebuffer->SetContext(window);
   this->AttributeFramebuffer->Bind();
-  for (unsigned int i = 0; i < count; ++i)
+  this->AttributeFramebuffer->RemoveColorAttachments(
+    static_cast<unsigned int>(this->Attached.Images().size()));
+  for (std::size_t output = 0; output < images.size(); ++output)
   {
-    this->AttributeFramebuffer->AddColorAttachment(i, images[i]);
+    this->AttributeFramebuffer->AddColorAttachment(
+      static_cast<unsigned int>(output), this->Images[images[output]]);
   }
   this->AttributeFramebuffer->AddDepthAttachment(this->SurfaceDepth);
-  this->AttributeFramebuffer->ActivateDrawBuffers(count);
+  this->AttributeFramebuffer->ActivateDrawBuffers(static_cast<unsigned int>(images.size()));
   const bool complete = this->AttributeFramebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER) != 0;
   state->PopFramebufferBindings();
+  this->Attached = attributes;
   return complete;
 }
 
@@ -117,12 +121,12 @@ void vtkPatternWindowResources::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->AttributeFramebuffer->ReleaseGraphicsResources(window);
   this->DepthFramebuffer->ReleaseGraphicsResources(window);
-  this->SurfaceColor->ReleaseGraphicsResources(window);
-  this->SurfaceTone->ReleaseGraphicsResources(window);
-  this->SurfaceNormal->ReleaseGraphicsResources(window);
-  this->SurfacePoint->ReleaseGraphicsResources(window);
-  this->SurfaceTexture->ReleaseGraphicsResources(window);
-  this->SurfaceTextureSlopes->ReleaseGraphicsResources(window);
+  for (auto& image : this->Images)
+  {
+    image->ReleaseGraphicsResources(window);
+  }
   this->SurfaceDepth->ReleaseGraphicsResources(window);
+  this->Attached = {};
+  this->Size = { 0, 0 };
   this->DepthSize = { 0, 0 };
 }

@@ -9,7 +9,7 @@
 
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkPatternLayerPainter.h"
+#include "vtkPatternAttributes.h"
 #include "vtkTextureObject.h"
 
 #include <array>
@@ -24,9 +24,9 @@ public:
   /// The resources of a window; they live as long as someone holds them.
   static std::shared_ptr<vtkPatternWindowResources> Get(vtkOpenGLRenderWindow* window);
 
-  /// Makes the attribute images, with those that layers on the surface need, as large as the
-  /// window's framebuffer. False where the framebuffer cannot be made.
-  bool Prepare(vtkOpenGLRenderWindow* window, vtkPatternLayerPainter::SurfaceNeed need);
+  /// Makes the attribute images that are needed as large as the window's framebuffer, and the
+  /// framebuffer of them. False where it cannot be made.
+  bool Prepare(vtkOpenGLRenderWindow* window, const vtkPatternAttributes& attributes);
 
   /// Copies a rectangle (x, y, width, height) of the depth of the framebuffer that is drawn to.
   vtkTextureObject* CaptureDepth(
@@ -34,20 +34,16 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  /// Colour attachments that are drawn to.
-  static unsigned int AttributeCount(vtkPatternLayerPainter::SurfaceNeed need);
+  vtkTextureObject* GetImage(vtkPatternAttributes::Image image) { return this->Images[image]; }
   vtkNew<vtkOpenGLFramebufferObject> AttributeFramebuffer;
-  vtkNew<vtkTextureObject> SurfaceColor;  ///< display-referred colour; alpha: 1 - half drawn edge
-  vtkNew<vtkTextureObject> SurfaceTone;   ///< tones of three channels; alpha: 0 without data
-  vtkNew<vtkTextureObject> SurfaceNormal; ///< normal in view coordinates, packed into one float
-  vtkNew<vtkTextureObject> SurfaceDepth;  ///< window depth
-
-  vtkNew<vtkTextureObject> SurfacePoint;   ///< model coordinates; w: packed normal of the triangle
-  vtkNew<vtkTextureObject> SurfaceTexture; ///< texture coordinates; z: 1 where there are some
-  vtkNew<vtkTextureObject> SurfaceTextureSlopes; ///< their change along x (xy) and y (zw)
+  vtkNew<vtkTextureObject> SurfaceDepth; ///< window depth
 
 private:
-  vtkPatternLayerPainter::SurfaceNeed Need = vtkPatternLayerPainter::NOTHING; // of the images made
+  bool Attach(vtkOpenGLRenderWindow* window, const vtkPatternAttributes& attributes);
+
+  std::array<vtkNew<vtkTextureObject>, vtkPatternAttributes::IMAGE_COUNT> Images;
+  vtkPatternAttributes Attached;
+  std::array<int, 2> Size = { 0, 0 }; // of the images made
   vtkNew<vtkOpenGLFramebufferObject> DepthFramebuffer;
   std::array<int, 2> DepthSize = { 0, 0 };
 };

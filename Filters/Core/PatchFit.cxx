@@ -171,34 +171,33 @@ PatternAnchors anchorPatterns(
   Span<const ProjectedSample> samples, Span<const std::int32_t> patches, std::size_t patchTotal)
 {
   PatternAnchors anchors;
-  anchors.frames.resize(patchTotal);
   anchors.frontWeights.assign(patchTotal, 0.0);
-  std::vector<double> bothWeights(patchTotal, 0.0);
-  std::vector<glm::dvec2> front(patchTotal, glm::dvec2(0.0));
-  std::vector<glm::dvec2> both(patchTotal, glm::dvec2(0.0));
+  double bothWeight = 0.0;
+  double frontWeight = 0.0;
+  glm::dvec2 front(0.0);
+  glm::dvec2 both(0.0);
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    const auto patch = static_cast<std::size_t>(patches[i]);
     const double area = std::abs(samples[i].weight);
-    both[patch] += area * samples[i].position;
-    bothWeights[patch] += area;
+    both += area * samples[i].position;
+    bothWeight += area;
     if (samples[i].weight > 0.0)
     {
-      front[patch] += area * samples[i].position;
-      anchors.frontWeights[patch] += area;
+      front += area * samples[i].position;
+      frontWeight += area;
+      anchors.frontWeights[static_cast<std::size_t>(patches[i])] += area;
     }
   }
-  for (std::size_t patch = 0; patch < patchTotal; ++patch)
+  PatternFrame frame;
+  if (frontWeight > 0.0)
   {
-    if (anchors.frontWeights[patch] > 0.0)
-    {
-      anchors.frames[patch].origin = front[patch] / anchors.frontWeights[patch];
-    }
-    else if (bothWeights[patch] > 0.0)
-    {
-      anchors.frames[patch].origin = both[patch] / bothWeights[patch];
-    }
+    frame.origin = front / frontWeight;
   }
+  else if (bothWeight > 0.0)
+  {
+    frame.origin = both / bothWeight;
+  }
+  anchors.frames.assign(patchTotal, frame);
   return anchors;
 }
 

@@ -51,8 +51,9 @@ void measureResiduals(PatchFits& fits, const WeightedFrame& previous, const Weig
 // Weights by facing alone, of samples projected with FrontOnly or Signed. 0 or 1 where unweighted.
 std::vector<double> facingWeights(Span<const ProjectedSample> samples, WeightScheme scheme);
 
-// Where patterns begin: upright frames of scale 1 at the weighted centroids of the patches' front
-// sides, or of the whole patches where no front is in sight.
+// Where patterns begin: an upright frame of scale 1 at the weighted centroid of the front sides in
+// sight, or of everything where there is none. It is the same for all patches, so that their
+// patterns begin as one and no border shows before the patches have moved differently.
 struct PatternAnchors
 {
   std::vector<PatternFrame> frames;

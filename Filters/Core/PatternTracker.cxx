@@ -138,18 +138,29 @@ PatternTracker::Step PatternTracker::fitStep(const Picture& previous,
   return step;
 }
 
-// The frames of the previous picture moved by the step, and anchored anew at a cut.
+// The frames of the previous picture moved by the step, and anchored anew at a cut or where a patch
+// was never seen: together with the patch that covers most of the picture, where one goes on.
 std::vector<PatternFrame> PatternTracker::framesAfter(
   const Picture& previous, const Picture& current, const Step& step) const
 {
-  std::vector<PatternFrame> frames =
-    anchorPatterns(current.samples, this->patches, this->patchTotal).frames;
+  const PatternAnchors anchors = anchorPatterns(current.samples, this->patches, this->patchTotal);
+  std::vector<PatternFrame> frames = anchors.frames;
+  const auto continues = [&](std::size_t patch)
+  { return step.cut[patch] == 0 && this->seen[patch] != 0; };
+  std::size_t widest = this->patchTotal;
   for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
   {
-    if (step.cut[patch] == 0)
+    if (continues(patch))
     {
       frames[patch] = this->follow(previous.frames[patch], step.patches.fits[patch]);
+      const bool wider =
+        widest == this->patchTotal || anchors.frontWeights[patch] > anchors.frontWeights[widest];
+      widest = wider ? patch : widest;
     }
+  }
+  for (std::size_t patch = 0; patch < this->patchTotal && widest < this->patchTotal; ++patch)
+  {
+    frames[patch] = continues(patch) ? frames[patch] : frames[widest];
   }
   return frames;
 }
@@ -249,7 +260,6 @@ void PatternTracker::predict(Picture picture)
   {
     if (this->seen[patch] == 0)
     {
-      picture.frames[patch] = anchors.frames[patch];
       picture.anchored[patch] = 1;
     }
   }

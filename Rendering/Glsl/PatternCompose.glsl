@@ -4,7 +4,7 @@
 uniform vec4 hachurePixelMap;  // logical pixel = fragment * xy + zw
 uniform vec4 hachurePaper;     // linear colour; w: 1 = the surface's colour instead
 uniform vec3 hachureNanColor;  // linear colour of surface without data
-uniform sampler2D hachureToneTables; // 256 tones across, the rows of all layers up
+uniform sampler2D hachureToneTables; // r: thresholds of 256 tones across, the rows of all layers up; g: tones of 256 thresholds
 uniform float hachureTableRows;      // number of these rows
 
 uniform vec4 hachureClipX; // rows of the matrix from model to clip coordinates
@@ -60,11 +60,27 @@ float hachureThreshold(float column, float row)
   return texture(hachureToneTables, vec2(column, row)).r;
 }
 
+// Tone whose threshold is this value: the share of a screen, as it is drawn, that lies below it.
+float hachureResponse(float value, float row)
+{
+  return texture(hachureToneTables, vec2(tableColumn(value), row)).g;
+}
+
 // Tone after the layer's own curve: gamma, and 1 where light and dark are exchanged.
 float hachureToneCurve(float tone, vec2 curve)
 {
   return pow(mix(tone, 1.0 - tone, curve.y), curve.x);
 }
+
+// Where a pattern lies, as PatternPlacement.h has it.
+struct HachurePlacement
+{
+  vec4 right;   // tile coordinate along x (xyz); texels of level 0 per framebuffer pixel
+  vec4 up;      // tile coordinate along y (xyz); weight of the half-size copy
+  vec4 octaves; // flat share of both octaves, rows of the tone tables of both
+};
+
+//Hachure::Patches::Dec
 
 //Hachure::Layers::Dec
 

@@ -39,9 +39,33 @@ out vec3 hachurePointGSOutput;
   hachurePointGSOutput = hachurePointVSOutput[i];
 //Section PointFSDec
 in vec3 hachurePointVSOutput;
-//Section PointFSImpl
+//Section FacetFSImpl
   vec3 hachureFacetNormal = cross(dFdx(hachurePointVSOutput), dFdy(hachurePointVSOutput));
   hachureFacetNormal /= max(length(hachureFacetNormal), 1e-30);
+//Section PatchFSDec
+uniform samplerBuffer hachurePatchOfTriangle; // per primitive: its patch, or -1 - its record
+uniform samplerBuffer hachurePatchRecords;    // 7 texels each, see TrianglePatches
+//Section PatchFSImpl
+  float hachurePatch = texelFetch(hachurePatchOfTriangle, gl_PrimitiveID + PrimitiveIDOffset).x;
+  vec4 hachurePatchCode = vec4(packPatch(max(hachurePatch, 0.0), 1.0), vec3(0.0));
+//Section PatchBlendFSImpl
+  // Software OpenGL executes both sides of every branch, but a loop no more often than it must.
+  for (int record = int(-hachurePatch); record > 0; record = 0)
+  {
+    int texel = 7 * (record - 1);
+    vec4 corner = texelFetch(hachurePatchRecords, texel);
+    vec4 toSecond = texelFetch(hachurePatchRecords, texel + 1);
+    vec4 toThird = texelFetch(hachurePatchRecords, texel + 2);
+    vec4 numbers =
+      vec4(corner.w, toSecond.w, toThird.w, texelFetch(hachurePatchRecords, texel + 3).x);
+    vec4 weights = patchWeights(hachurePointVSOutput, corner.xyz, toSecond.xyz, toThird.xyz,
+      texelFetch(hachurePatchRecords, texel + 4), texelFetch(hachurePatchRecords, texel + 5),
+      texelFetch(hachurePatchRecords, texel + 6));
+    for (int i = 0; i < 4; ++i)
+    {
+      hachurePatchCode[i] = packPatch(numbers[i], weights[i]);
+    }
+  }
 //Section TextureVSDec
 in vec3 hachureTextureMC; // z: 1 where the block has texture coordinates
 out vec3 hachureTextureVSOutput;
@@ -114,11 +138,16 @@ float hachurePackNormal(vec3 n)
   bool hachureHasData = min(hachureTone.x, min(hachureTone.y, hachureTone.z)) >= 0.0;
   gl_FragData[1] = vec4(hachureTone, hachureHasData ? 1.0 : 0.0);
   gl_FragData[2] = vec4(hachurePackNormal(hachureNormal), 0.0, 0.0, 1.0);
+//Section PatchAttribute
+  gl_FragData[IMAGE] = hachurePatchCode;
 //Section PointAttribute
-  gl_FragData[3] = vec4(hachurePointVSOutput, hachurePackNormal(hachureFacetNormal));
+  gl_FragData[IMAGE] = vec4(hachurePointVSOutput, hachurePackNormal(hachureFacetNormal));
 //Section TextureAttribute
-  gl_FragData[4] = vec4(hachureTextureVSOutput, 1.0);
-  gl_FragData[5] = hachureTextureChange;
+  gl_FragData[IMAGE] = vec4(hachureTextureVSOutput, 1.0);
+//Section SlopesAttribute
+  gl_FragData[IMAGE] = hachureTextureChange;
+//Section PatchForward
+  hachureSeePatches(hachurePatchCode);
 //Section PointForward
   hachureSeeSurface(hachurePointVSOutput, hachureFacetNormal);
 //Section TextureForward

@@ -5,6 +5,10 @@ uniform sampler2D hachureSurfacePoint; // model coordinates, w: packed normal of
 //Section PointImpl
   vec4 point = texelFetch(hachureSurfacePoint, pixel, 0);
   hachureSeeSurface(point.xyz, hachureUnpackNormal(point.w));
+//Section PatchDec
+uniform sampler2D hachureSurfacePatch; // numbers and weights of up to four patches
+//Section PatchImpl
+  hachureSeePatches(texelFetch(hachureSurfacePatch, pixel, 0));
 //Section TextureDec
 uniform sampler2D hachureSurfaceTexture;       // texture coordinates, z: 1 where there are some
 uniform sampler2D hachureSurfaceTextureSlopes; // their change per fragment: along x, along y

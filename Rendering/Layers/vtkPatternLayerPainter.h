@@ -11,7 +11,9 @@
 #include "PatternTracker.h"
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -55,9 +57,12 @@ public:
   };
   virtual SurfaceNeed GetSurfaceNeed() const { return NOTHING; }
 
+  /// Whether the field lies differently on every patch.
+  virtual bool FollowsPatches() const { return false; }
+
   /// Declarations with '@' for the layer's number; they define
-  /// float hachureCoverage@(vec2 position, float tone).
-  virtual const char* GetDeclarations() const = 0;
+  /// float hachureCoverage@(vec2 position, float tone). patches: where there are several patches.
+  virtual std::string GetDeclarations(bool patches) const = 0;
   /// Rows of 256 thresholds for the table that all layers share, and a version of their content.
   virtual const std::vector<float>& GetTableRows() const = 0;
   virtual unsigned long GetTableVersion() const = 0;
@@ -65,6 +70,11 @@ public:
   /// Values for one draw; `frame` is where the pattern lies now, in logical pixels.
   virtual void SetUniforms(vtkShaderProgram* program, const std::string& number,
     const hachure::PatternFrame& frame, double firstTableRow) = 0;
+
+  /// What a shader must know of a pattern that lies there; see HachurePlacement in
+  /// PatternCompose.glsl.
+  virtual std::array<glm::vec4, 3> GetPlacement(
+    const hachure::PatternFrame& frame, double firstTableRow) const = 0;
 
   virtual void Activate() = 0;
   virtual void Deactivate() = 0;

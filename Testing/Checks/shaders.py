@@ -9,6 +9,7 @@ layer of every kind.
 DUMPS: a folder of whole programs as they were drawn (*.vert, *.frag), validated too when it is there.
 """
 
+import itertools
 import os
 import re
 import subprocess
@@ -58,13 +59,23 @@ def glue_pieces(root):
     return pieces
 
 
+def layer_texts(pieces):
+    """The text of every kind of layer. Of one that has sections the first goes with each other one."""
+    texts = []
+    for name in sorted(pieces):
+        if name.endswith("Layer") and name != "PatternLayer":
+            parts = list(sections(pieces[name]).values())
+            texts += [parts[0] + part for part in parts[1:]] if parts else [pieces[name]]
+    return texts
+
+
 def stack(pieces, kernels):
     """Declarations and calls of one layer of every kind with every blend mode, as they are drawn."""
     declarations, calls = "", ""
-    kinds = [name for name in sorted(pieces) if name.endswith("Layer") and name != "PatternLayer"]
     blends = re.findall(r"^vec3 (blend\w+)\(", kernels, re.MULTILINE) or ["mix"]
-    for number, (kind, blend) in enumerate((kind, blend) for kind in kinds for blend in blends):
-        text = pieces[kind] + pieces.get("PatternLayer", "")
+    pairs = itertools.product(layer_texts(pieces), blends)
+    for number, (kind, blend) in enumerate(pairs):
+        text = kind + pieces.get("PatternLayer", "")
         text = text.replace("TONE", "tones[0]" if number % 2 else "hachureCurve@.z")
         declarations += text.replace("BLEND", blend).replace("@", str(number))
         calls += "  color = hachureLayer%d(color, position, tones);\n" % number
@@ -86,6 +97,7 @@ def assemble(text, kernels, pieces):
         ("//Hachure::Outline::Dec", outline.get("Functions", "")),
         ("//Hachure::Outline::Impl", outline.get("Call", "")),
         ("//Hachure::Crease::Impl", outline.get("Crease", "")),
+        ("//Hachure::Patches::Dec", pieces.get("PatternPatches", "")),
         ("//Hachure::Layers::Dec", declarations),
         ("//Hachure::Layers::Impl", calls),
         ("//VTK::System::Dec", "#version %d" % GLUE_VERSION),

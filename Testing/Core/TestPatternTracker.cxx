@@ -320,8 +320,7 @@ TEST(PatternTracker, HiddenPatchesWait)
   moveSecond({ 1.5, 0.0, -30.0 });
   drawFrame(tracker, scene, camera);
   EXPECT_EQ(tracker.anchored()[1], 1);
-  const PatternFrame first = tracker.committed()[1];
-  EXPECT_GT(first.origin.x, 500.0);
+  EXPECT_EQ(tracker.drawn()[1], tracker.drawn()[0]) << "it begins with the pattern in sight";
 
   moveSecond({ -1.5, 0.0, -4.0 });
   drawFrame(tracker, scene, camera);
@@ -331,6 +330,24 @@ TEST(PatternTracker, HiddenPatchesWait)
   EXPECT_EQ(tracker.committed()[1], hidden);
   EXPECT_EQ(tracker.drawn()[1], hidden);
   EXPECT_EQ(tracker.anchored()[1], 0);
+}
+
+// No border shows between patches before they have moved differently.
+TEST(PatternTracker, PatchesBeginTogether)
+{
+  Spheres scene({ { -0.5, 0.0, 0.0 }, { 0.5, 0.0, 0.0 } }, 300, true);
+  PatternTracker tracker;
+  Camera camera;
+  drawFrame(tracker, scene, camera);
+  EXPECT_EQ(tracker.drawn()[0], tracker.drawn()[1]);
+  camera.pan = 0.3;
+  drawFrame(tracker, scene, camera);
+  for (std::size_t i = 300; i < 600; ++i)
+  {
+    scene.positions[i] += glm::dvec3(0.0, 0.1, 0.0);
+  }
+  drawFrame(tracker, scene, camera);
+  EXPECT_GT(glm::length(tracker.drawn()[0].origin - tracker.drawn()[1].origin), 1.0);
 }
 
 // A surface meshed anew has other samples; its pattern neither jumps nor stops to follow.

@@ -86,8 +86,7 @@ TEST(TrianglePatches, TheHeaviestFourOfManyAreKept)
     { corner({ 0, 1, 2, 3 }, glm::vec4(0.4, 0.3, 0.2, 0.1)),
       corner({ 4, 0, 1, -1 }, glm::vec4(0.5, 0.3, 0.2, 0)),
       corner({ 2, 0, -1, -1 }, glm::vec4(0.5, 0.5, 0, 0)) });
-  const glm::vec4 numbers(
-    all.records[0].w, all.records[1].w, all.records[2].w, all.records[3].x);
+  const glm::vec4 numbers(all.records[0].w, all.records[1].w, all.records[2].w, all.records[3].x);
   EXPECT_EQ(numbers, glm::vec4(0, 2, 1, 4)); // 1.2, .7, .5, .5: equal ones by number
   for (int i = 4; i < 7; ++i)
   {

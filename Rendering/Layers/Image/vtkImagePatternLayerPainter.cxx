@@ -12,6 +12,7 @@
 #include "vtkImageData.h"
 #include "vtkImagePatternLayer.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPatternShaderText.h"
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
 
@@ -118,9 +119,21 @@ vtkImagePatternLayerPainter::vtkImagePatternLayerPainter(vtkImagePatternLayer* l
 {
 }
 
-const char* vtkImagePatternLayerPainter::GetDeclarations() const
+std::string vtkImagePatternLayerPainter::GetDeclarations(bool patches) const
 {
-  return this->OnSurface() ? SurfacePatternLayer : ImagePatternLayer;
+  if (this->OnSurface())
+  {
+    return SurfacePatternLayer;
+  }
+  const bool several = patches && this->FollowsPatches();
+  const char* coverage = !several ? "One" : this->BlendsScreens() ? "MixedPatches" : "Patches";
+  return vtkPattern::ShaderSection(ImagePatternLayer, "Ink") +
+    vtkPattern::ShaderSection(ImagePatternLayer, coverage);
+}
+
+bool vtkImagePatternLayerPainter::FollowsPatches() const
+{
+  return this->Layer && this->Layer->GetMotion() == vtkImagePatternLayer::SIMILARITY;
 }
 
 bool vtkImagePatternLayerPainter::OnSurface() const
@@ -344,17 +357,26 @@ void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const s
     this->SetSurfaceUniforms(program, number, firstTableRow);
     return;
   }
-  const hachure::PatternPlacement placement = this->Place(frame);
-  const float right[4] = { placement.right.x, placement.right.y, placement.right.z,
-    placement.texelsPerPixel };
-  program->SetUniform4f(("hachureRight" + number).c_str(), right);
-  const float up[4] = { placement.up.x, placement.up.y, placement.up.z, placement.blend };
-  program->SetUniform4f(("hachureUp" + number).c_str(), up);
-  const auto firstRow = static_cast<float>(firstTableRow);
-  const float octaves[4] = { placement.flat.x, placement.flat.y, firstRow + placement.row.x,
-    firstRow + placement.row.y };
-  program->SetUniform4f(("hachureOctaves" + number).c_str(), octaves);
   program->SetUniformf(("hachureFade" + number).c_str(), this->BlendsScreens() ? 0.0f : 1.0f);
+  const std::array<glm::vec4, 3> placement = this->GetPlacement(frame, firstTableRow);
+  const char* const names[] = { "hachureRight", "hachureUp", "hachureOctaves" };
+  for (std::size_t i = 0; i < placement.size(); ++i)
+  {
+    const std::string name = names[i] + number;
+    if (program->IsUniformUsed(name.c_str()))
+    {
+      program->SetUniform4f(name.c_str(), &placement[i].x);
+    }
+  }
+}
+
+std::array<glm::vec4, 3> vtkImagePatternLayerPainter::GetPlacement(
+  const hachure::PatternFrame& frame, double firstTableRow) const
+{
+  const hachure::PatternPlacement placement = this->Place(frame);
+  const auto firstRow = static_cast<float>(firstTableRow);
+  return { glm::vec4(placement.right, placement.texelsPerPixel),
+    glm::vec4(placement.up, placement.blend), glm::vec4(placement.flat, placement.row + firstRow) };
 }
 
 hachure::PatternPlacement vtkImagePatternLayerPainter::Place(

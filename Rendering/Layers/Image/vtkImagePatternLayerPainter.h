@@ -24,12 +24,15 @@ public:
 
   bool Update(vtkOpenGLRenderWindow* window, const Scene& scene, std::string& error) override;
   std::string GetNote() const override;
-  const char* GetDeclarations() const override;
+  bool FollowsPatches() const override;
+  std::string GetDeclarations(bool patches) const override;
   SurfaceNeed GetSurfaceNeed() const override;
   const std::vector<float>& GetTableRows() const override { return this->TableRows; }
   unsigned long GetTableVersion() const override { return this->TableVersion; }
   void SetUniforms(vtkShaderProgram* program, const std::string& number,
     const hachure::PatternFrame& frame, double firstTableRow) override;
+  std::array<glm::vec4, 3> GetPlacement(
+    const hachure::PatternFrame& frame, double firstTableRow) const override;
   void Activate() override;
   void Deactivate() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The images that the attribute stage writes, in the order of its outputs: some always, others
+ * where a style needs them.
+ */
+#ifndef vtkPatternAttributes_h
+#define vtkPatternAttributes_h
+
+#include "vtkPatternLayerPainter.h"
+
+#include <vector>
+
+struct vtkPatternAttributes
+{
+  enum Image
+  {
+    COLOR,          ///< display-referred colour; alpha: 1 - half drawn edge
+    TONE,           ///< tones of three channels; alpha: 0 without data
+    NORMAL,         ///< normal in view coordinates, packed into one float
+    PATCH,          ///< numbers and weights of up to four patches
+    POINT,          ///< model coordinates; w: packed normal of the triangle
+    TEXTURE,        ///< texture coordinates; z: 1 where there are some
+    TEXTURE_SLOPES, ///< their change along x (xy) and y (zw)
+    IMAGE_COUNT
+  };
+
+  vtkPatternLayerPainter::SurfaceNeed Surface = vtkPatternLayerPainter::NOTHING;
+  bool Patches = false;        ///< patches are told apart
+  bool PatchesOverlap = false; ///< and blend near their borders
+
+  bool Has(Image image) const
+  {
+    switch (image)
+    {
+      case PATCH:
+        return this->Patches;
+      case POINT:
+        return this->Surface >= vtkPatternLayerPainter::POINT;
+      case TEXTURE:
+      case TEXTURE_SLOPES:
+        return this->Surface >= vtkPatternLayerPainter::POINT_AND_TEXTURE;
+      default:
+        return true;
+    }
+  }
+
+  /// Outputs of the stage, in order.
+  std::vector<Image> Images() const
+  {
+    std::vector<Image> images;
+    for (int image = COLOR; image < IMAGE_COUNT; ++image)
+    {
+      if (this->Has(static_cast<Image>(image)))
+      {
+        images.push_back(static_cast<Image>(image));
+      }
+    }
+    return images;
+  }
+
+  bool operator==(const vtkPatternAttributes& other) const
+  {
+    return this->Surface == other.Surface && this->Patches == other.Patches &&
+      this->PatchesOverlap == other.PatchesOverlap;
+  }
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkPatternAttributes.h

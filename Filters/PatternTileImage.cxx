@@ -19,11 +19,13 @@ namespace hachure
 namespace
 {
 
-void addPointArray(vtkImageData* image, const char* name, const std::vector<float>& values)
+void addPointArray(
+  vtkImageData* image, const char* name, const std::vector<float>& values, int components = 1)
 {
   vtkNew<vtkFloatArray> array;
   array->SetName(name);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   image->GetPointData()->AddArray(array);
 }
@@ -34,6 +36,17 @@ void addNumber(vtkImageData* image, const char* name, int value)
   array->SetName(name);
   array->InsertNextValue(value);
   image->GetFieldData()->AddArray(array);
+}
+
+void addLayer(vtkImageData* image, const std::string& prefix, const DabLayer& layer)
+{
+  addPointArray(image, (prefix + "Offset").c_str(), layer.offset, 2);
+  addPointArray(image, (prefix + "Alpha").c_str(), layer.alpha);
+  vtkNew<vtkIntArray> index;
+  index->SetName((prefix + "Index").c_str());
+  index->SetNumberOfTuples(static_cast<vtkIdType>(layer.dab.size()));
+  std::copy(layer.dab.begin(), layer.dab.end(), index->GetPointer(0));
+  image->GetPointData()->AddArray(index);
 }
 
 std::vector<float> pointArray(vtkImageData* image, const char* name, double low, double high)
@@ -71,6 +84,14 @@ void writeTile(const PatternTile& tile, vtkImageData* image)
   image->GetPointData()->SetActiveScalars("Screen");
   addNumber(image, "Periods", tile.periods);
   addNumber(image, "Levels", tile.levels);
+}
+
+void writePaint(const PaintTile& tile, vtkImageData* image)
+{
+  writeTile(tile.pattern, image);
+  addLayer(image, "Dab", tile.top);
+  addLayer(image, "LowerDab", tile.below);
+  addPointArray(image, "PaintHeight", tile.height);
 }
 
 PatternTile readTile(vtkImageData* image, bool& periodsKnown)

@@ -3,7 +3,7 @@
 #ifndef PatternTileImage_h
 #define PatternTileImage_h
 
-#include "Core/PatternTile.h"
+#include "Core/PaintTile.h"
 
 class vtkImageData;
 
@@ -12,6 +12,10 @@ namespace hachure
 {
 
 void writeTile(const PatternTile& tile, vtkImageData* image);
+
+// With the point arrays DabOffset, DabAlpha, DabIndex, the same three with LowerDab, and
+// PaintHeight.
+void writePaint(const PaintTile& tile, vtkImageData* image);
 
 // Throws std::invalid_argument when the image is not a tile. periodsKnown tells whether the image
 // has Periods; without it 1 is assumed.

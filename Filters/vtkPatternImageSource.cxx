@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatternImageSource.h"
 
-#include "Core/PatternTile.h"
+#include "Core/PaintTile.h"
+#include "Core/PaperTile.h"
 #include "PatternTileImage.h"
 
 #include "vtkDataArray.h"
@@ -129,38 +130,86 @@ int vtkPatternImageSource::RequestUpdateExtent(
   return 1;
 }
 
-int vtkPatternImageSource::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkPatternImageSource::DrawStrokesOrDots(vtkImageData* output)
 {
-  vtkImageData* output = vtkImageData::GetData(outputVector);
   hachure::CrossHatchOptions options;
   options.size = this->Size;
   options.periods = this->Periods;
   options.irregularity = this->Irregularity;
   options.seed = this->Seed;
+  options.densities = this->Densities;
   options.crossingAngle = this->CrossingAngle;
   options.delay = this->CrossingDelay;
-  hachure::PatternTile tile;
-  vtkImageData* picture = nullptr;
+  const hachure::PatternTile tile = this->Pattern == CROSS_HATCH ? hachure::crossHatchTile(options)
+    : this->Pattern == HALFTONE                                  ? hachure::halftoneTile(options)
+    : this->Pattern == STIPPLE                                   ? hachure::stippleTile(options)
+                                                                 : hachure::hatchTile(options);
+  this->NumberOfLevels = tile.levels;
+  hachure::writeTile(tile, output);
+}
+
+void vtkPatternImageSource::DrawPaint(vtkImageData* output)
+{
+  hachure::PaintOptions options;
+  options.size = this->Size;
+  options.periods = this->Periods;
+  options.seed = this->Seed;
+  options.density = this->DabDensity;
+  options.aspect = this->DabAspect;
+  options.angleJitter = this->DabAngleJitter;
+  options.sizeVariation = this->DabSizeVariation;
+  options.bristles = this->Bristles;
+  const hachure::PaintTile tile = hachure::paintTile(options);
+  this->NumberOfLevels = tile.pattern.levels;
+  hachure::writePaint(tile, output);
+}
+
+void vtkPatternImageSource::DrawPaper(vtkImageData* output)
+{
+  hachure::PaperOptions options;
+  options.size = this->Size;
+  options.periods = this->Periods;
+  options.seed = this->Seed;
+  options.grain = this->Grain;
+  options.fibres = this->Fibres;
+  options.laid = this->Laid;
+  options.weave = this->Weave;
+  const hachure::PatternTile tile = hachure::paperTile(options);
+  this->NumberOfLevels = tile.levels;
+  hachure::writeTile(tile, output);
+}
+
+void vtkPatternImageSource::Draw(vtkInformationVector** inputVector, vtkImageData* output)
+{
+  if (this->Pattern == IMAGE)
+  {
+    vtkImageData* picture = vtkImageData::GetData(inputVector[0]);
+    vtkDataArray* array = picture ? this->GetInputArrayToProcess(0, inputVector) : nullptr;
+    const hachure::PatternTile tile = pictureTile(picture, array, this->Periods);
+    this->NumberOfLevels = tile.levels;
+    hachure::writeTile(tile, output);
+  }
+  else if (this->Pattern == PAINT)
+  {
+    this->DrawPaint(output);
+  }
+  else if (this->Pattern == PAPER)
+  {
+    this->DrawPaper(output);
+  }
+  else
+  {
+    this->DrawStrokesOrDots(output);
+  }
+}
+
+int vtkPatternImageSource::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkImageData* output = vtkImageData::GetData(outputVector);
   try
   {
-    switch (this->Pattern)
-    {
-      case CROSS_HATCH:
-        tile = hachure::crossHatchTile(options);
-        break;
-      case HALFTONE:
-        tile = hachure::halftoneTile(options);
-        break;
-      case IMAGE:
-        picture = vtkImageData::GetData(inputVector[0]);
-        tile = pictureTile(
-          picture, picture ? this->GetInputArrayToProcess(0, inputVector) : nullptr, this->Periods);
-        break;
-      default:
-        tile = hachure::hatchTile(options);
-        break;
-    }
+    this->Draw(inputVector, output);
   }
   catch (const std::invalid_argument& error)
   {
@@ -169,14 +218,12 @@ int vtkPatternImageSource::RequestData(
     vtkErrorMacro(<< error.what());
     return 0;
   }
-  this->NumberOfLevels = tile.levels;
-  if (this->Pattern == IMAGE && tile.levels < fewLevels)
+  if (this->Pattern == IMAGE && this->NumberOfLevels < fewLevels)
   {
-    vtkWarningMacro(<< "The input image has only " << tile.levels
+    vtkWarningMacro(<< "The input image has only " << this->NumberOfLevels
                     << " distinct values; tones between them come out as flat grey. " << fewLevels
                     << " or more draw well.");
   }
-  hachure::writeTile(tile, output);
   return 1;
 }
 
@@ -190,5 +237,15 @@ void vtkPatternImageSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "CrossingAngle: " << this->CrossingAngle << "\n";
   os << indent << "CrossingDelay: " << this->CrossingDelay << "\n";
+  os << indent << "Densities: " << this->Densities << "\n";
+  os << indent << "DabDensity: " << this->DabDensity << "\n";
+  os << indent << "DabAspect: " << this->DabAspect << "\n";
+  os << indent << "DabAngleJitter: " << this->DabAngleJitter << "\n";
+  os << indent << "DabSizeVariation: " << this->DabSizeVariation << "\n";
+  os << indent << "Bristles: " << this->Bristles << "\n";
+  os << indent << "Grain: " << this->Grain << "\n";
+  os << indent << "Fibres: " << this->Fibres << "\n";
+  os << indent << "Laid: " << this->Laid << "\n";
+  os << indent << "Weave: " << this->Weave << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
 }

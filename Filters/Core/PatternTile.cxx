@@ -3,8 +3,8 @@
 #include "PatternTile.h"
 
 #include "Parallel.h"
-#include "Random.h"
 #include "TileChecks.h"
+#include "TileNoise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -173,27 +173,6 @@ std::vector<float> halvedField(const PatternTile& tile)
   parallelFor(halfWidth,
     [&](std::int64_t x) { halveLine(&narrow[x], halfWidth, tile.height, &half[x], halfWidth); });
   return half;
-}
-
-// Smooth noise in [-1, 1] that repeats after `periods` cells in both directions.
-double cellNoise(double x, double y, int periods, std::uint32_t seed, std::uint32_t dimension)
-{
-  const int cellX = static_cast<int>(std::floor(x));
-  const int cellY = static_cast<int>(std::floor(y));
-  const double fx = x - cellX;
-  const double fy = y - cellY;
-  const double sx = fx * fx * (3.0 - 2.0 * fx);
-  const double sy = fy * fy * (3.0 - 2.0 * fy);
-  const auto corner = [&](int i, int j)
-  {
-    const std::uint64_t column = static_cast<std::uint64_t>((cellX + i + periods) % periods);
-    const std::uint64_t row = static_cast<std::uint64_t>((cellY + j + periods) % periods);
-    return 2.0 * unitRandom(seed, row * static_cast<std::uint64_t>(periods) + column, dimension) -
-      1.0;
-  };
-  const double low = corner(0, 0) * (1.0 - sx) + corner(1, 0) * sx;
-  const double high = corner(0, 1) * (1.0 - sx) + corner(1, 1) * sx;
-  return low * (1.0 - sy) + high * sy;
 }
 
 // cos(2 pi periods (texel + .5) / size), folded so that mirror images are equal to the last bit.

@@ -51,6 +51,12 @@ struct HatchOptions
   // 0 = ruled lines, 1 = a loose hand: strokes that overlap, taper, waver and press unevenly.
   double irregularity = 0.0;
   std::uint32_t seed = 1;
+  // Of hatching, 1 to 4. With 1 the lines grow wider with the tone. With more they keep nearly one
+  // width, and there are more of them: `periods` sparse lines first, then as many between them,
+  // then twice as many between those, each density setting in at about twice the tone of the one
+  // before. The densest lines cover half of the tile, and grow to full ink from there.
+  // periods * 2^(densities - 1) is at most size / 4.
+  int densities = 1;
 };
 
 struct CrossHatchOptions : HatchOptions
@@ -71,6 +77,15 @@ PatternTile crossHatchTile(const CrossHatchOptions& options = {});
 // Clustered dots on a square lattice along x and y: round dots, a checkerboard at tone .5, round
 // holes.
 PatternTile halftoneTile(const HatchOptions& options = {});
+
+// Tone at which the lines of a density set in, 0 for the first one, and the one at which the
+// densest lines are complete for density = densities.
+double densityTone(int density, int densities);
+
+// Dots of one size, one by one in blue-noise order: periods x periods of them side by side up to
+// about tone .4, then more that overlap and grow to full ink. Dots come in between those that are
+// there already, and where a dot is the half-size copy has one as well. At most 256 periods.
+PatternTile stippleTile(const HatchOptions& options = {});
 
 // A user's image (row 0 at the bottom, dark = low = inked first) with `periods` pattern periods
 // across. Throws when a value is not finite or the sizes do not match.

@@ -47,8 +47,22 @@ inline void hatchOptions(const std::string& function, const HatchOptions& option
 {
   inRange(function, "size", options.size, 8, 4096);
   // A period narrower than four texels has no edge left to draw.
-  inRange(function, "periods", options.periods, 1, options.size / 4);
+  const int most = options.size / 4;
+  inRange(function, "periods", options.periods, 1, most);
   inRange(function, "irregularity", options.irregularity, 0.0, 1.0);
+}
+
+inline void densities(const std::string& function, const HatchOptions& options)
+{
+  inRange(function, "densities", options.densities, 1, 4);
+  const int lines = options.periods << (options.densities - 1);
+  if (lines > options.size / 4)
+  {
+    fail(function, "densities",
+      std::to_string(options.densities) + " make " + std::to_string(lines) + " lines of " +
+        std::to_string(options.periods) +
+        " periods, expected at most size / 4 = " + std::to_string(options.size / 4));
+  }
 }
 
 inline void tile(const std::string& function, const PatternTile& tile)

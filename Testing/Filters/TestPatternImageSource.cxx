@@ -107,8 +107,12 @@ bool patternsAreUniform()
 {
   Scene scene;
   bool good = true;
-  for (int pattern = 0; pattern < vtkPatternImageSource::IMAGE; ++pattern)
+  for (int pattern = 0; pattern <= vtkPatternImageSource::PAPER; ++pattern)
   {
+    if (pattern == vtkPatternImageSource::IMAGE)
+    {
+      continue;
+    }
     for (const double irregularity : { 0.0, 0.7 })
     {
       scene.source->SetPattern(pattern);
@@ -132,6 +136,41 @@ bool picturesKeepTheirOrder()
   good &= require(!scene.observer->GetWarning(), "silence about many levels");
   good &= require(scene.source->GetNumberOfLevels() == 105, "105 levels");
   return good;
+}
+
+// All texels that show a dab lead to one place, which lies on the tile or one of its repetitions.
+bool paintLeadsToItsDabs()
+{
+  Scene scene;
+  scene.source->SetPatternToPaint();
+  bool good = scene.accepts();
+  vtkImageData* image = scene.source->GetOutput();
+  for (const std::string prefix : { "Dab", "LowerDab" })
+  {
+    vtkDataArray* offset = image->GetPointData()->GetArray((prefix + "Offset").c_str());
+    vtkDataArray* alpha = image->GetPointData()->GetArray((prefix + "Alpha").c_str());
+    vtkDataArray* index = image->GetPointData()->GetArray((prefix + "Index").c_str());
+    if (!require(offset && alpha && index && offset->GetNumberOfComponents() == 2, prefix))
+    {
+      return false;
+    }
+    std::vector<double> places(2 * 16, -1.0);
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      const int dab = static_cast<int>(index->GetComponent(i, 0));
+      good &= dab >= 0 && dab < 16 && alpha->GetComponent(i, 0) >= 0.0;
+      for (int axis = 0; axis < 2 && good; ++axis)
+      {
+        const double texel = static_cast<double>(axis == 0 ? i % 64 : i / 64) + 0.5;
+        const double place = texel / 64.0 + offset->GetComponent(i, axis);
+        double& known = places[2 * dab + axis];
+        known = known < 0.0 ? place - std::floor(place) : known;
+        good &= std::abs(place - known - std::round(place - known)) < 1e-5;
+      }
+    }
+  }
+  good &= require(image->GetPointData()->HasArray("PaintHeight"), "an array PaintHeight");
+  return require(good, "texels lead to the centres of their dabs");
 }
 
 bool fewLevelsAreNoted()
@@ -192,6 +231,13 @@ bool wrongInputIsRefused()
     Scene scene;
     scene.source->SetPeriods(40);
     good &= scene.refuses("periods: 40");
+    scene.source->SetPeriods(8);
+    scene.source->SetDensities(3);
+    good &= scene.refuses("densities: 3 make 32 lines of 8 periods");
+    scene.source->SetPatternToPaper();
+    scene.source->SetGrain(0.0);
+    scene.source->SetFibres(0.0);
+    good &= scene.refuses("grain: 0, and fibres, laid and weave are 0");
   }
   return good;
 }
@@ -200,7 +246,7 @@ bool wrongInputIsRefused()
 
 int TestPatternImageSource(int, char*[])
 {
-  const bool good =
-    patternsAreUniform() & picturesKeepTheirOrder() & fewLevelsAreNoted() & wrongInputIsRefused();
+  const bool good = patternsAreUniform() & picturesKeepTheirOrder() & paintLeadsToItsDabs() &
+    fewLevelsAreNoted() & wrongInputIsRefused();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -12,6 +12,16 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 
+patterns = [
+    hachure.vtkPatternImageSource.HATCH,
+    hachure.vtkPatternImageSource.CROSS_HATCH,
+    hachure.vtkPatternImageSource.HALFTONE,
+    hachure.vtkPatternImageSource.STIPPLE,
+    hachure.vtkPatternImageSource.PAINT,
+    hachure.vtkPatternImageSource.PAPER,
+]
+
+
 def screen(pattern, irregularity, seed=1):
     source = hachure.vtkPatternImageSource()
     source.SetPattern(pattern)
@@ -27,14 +37,14 @@ def screen(pattern, irregularity, seed=1):
 
 
 def all_bytes():
-    return b"".join(screen(pattern, 0.6).tobytes() for pattern in range(3))
+    return b"".join(screen(pattern, 0.6).tobytes() for pattern in patterns)
 
 
 if "--bytes" in sys.argv:
     sys.stdout.buffer.write(all_bytes())
     sys.exit(0)
 
-for pattern in range(3):
+for pattern in patterns:
     for irregularity in (0.0, 0.6):
         values = screen(pattern, irregularity)
         # Texels along a ruled line share one value, the middle of their steps: 8 values a hatch.

@@ -81,10 +81,12 @@ def digests():
     pattern = hachure.vtkPatternImageSource()
     pattern.SetPattern(pattern.CROSS_HATCH)
     pattern.SetIrregularity(0.5)
+    paint = hachure.vtkPatternImageSource()
+    paint.SetPattern(paint.PAINT)
     table = hachure.vtkToneCorrectionTable()
     table.SetInputConnection(pattern.GetOutputPort())
     results = []
-    for filter_ in (sampler, tracker, pattern, table, metrics_of_waves()):
+    for filter_ in (sampler, tracker, pattern, paint, table, metrics_of_waves()):
         filter_.Update()
         results.append(filter_.GetClassName() + " " + digest(filter_.GetOutput()))
     return "\n".join(results)
@@ -104,5 +106,5 @@ outputs = [
     ).stdout
     for threads in ("1", "8")
 ]
-assert outputs[0].count("\n") == 5, outputs[0]
+assert outputs[0].count("\n") == 6, outputs[0]
 assert outputs[0] == outputs[1], "\n".join(outputs)

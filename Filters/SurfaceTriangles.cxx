@@ -41,9 +41,10 @@ bool isInteger(vtkDataArray* array)
 class TriangleExtractor
 {
 public:
-  TriangleExtractor(SurfaceTriangles& target, const PatchSource& patchSource)
+  TriangleExtractor(SurfaceTriangles& target, const PatchSource& patchSource, TriangleChoice choice)
     : result(target)
     , source(patchSource)
+    , takesAll(choice == TriangleChoice::All)
   {
   }
 
@@ -155,7 +156,7 @@ private:
   bool isVisible() const
   {
     const int skipped = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
-    return !ghosts || cell >= ghosts->GetNumberOfTuples() ||
+    return takesAll || !ghosts || cell >= ghosts->GetNumberOfTuples() ||
       (ghosts->GetValue(cell) & skipped) == 0;
   }
 
@@ -170,7 +171,13 @@ private:
           " refers to point " + std::to_string(corners[i]) + "; there are " +
           std::to_string(blockPoints) + " points");
       }
-      allFinite = allFinite && isFinite(point(corners[i]));
+      const bool finite = isFinite(point(corners[i]));
+      if (takesAll && !finite)
+      {
+        throw std::invalid_argument("Point " + std::to_string(corners[i]) + blockName() +
+          ", a corner of cell " + std::to_string(cell) + ", has a coordinate that is not finite");
+      }
+      allFinite = allFinite && finite;
     }
     return allFinite;
   }
@@ -195,7 +202,7 @@ private:
 
   void addTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
   {
-    if (isDegenerateTriangle(point(a), point(b), point(c)))
+    if (!takesAll && isDegenerateTriangle(point(a), point(b), point(c)))
     {
       return;
     }
@@ -275,6 +282,7 @@ private:
 
   SurfaceTriangles& result;
   const PatchSource& source;
+  const bool takesAll;
   SurfaceTriangles::Block block;
   vtkDataArray* patchArray = nullptr;
   vtkUnsignedCharArray* ghosts = nullptr;
@@ -314,10 +322,11 @@ TriangleMesh SurfaceTriangles::blockMesh(std::size_t block) const
   return all;
 }
 
-SurfaceTriangles extractSurfaceTriangles(vtkDataObject* input, const PatchSource& source)
+SurfaceTriangles extractSurfaceTriangles(
+  vtkDataObject* input, const PatchSource& source, TriangleChoice choice)
 {
   SurfaceTriangles result;
-  TriangleExtractor extractor(result, source);
+  TriangleExtractor extractor(result, source, choice);
   if (vtkPolyData* polyData = vtkPolyData::SafeDownCast(input))
   {
     extractor.add(polyData, 0);

@@ -22,9 +22,17 @@ struct PatchSource
   bool byBlock = false;  ///< the flat index of the block instead; the array is then not read
 };
 
+/// Which cells are cut into triangles.
+enum class TriangleChoice
+{
+  Drawable, ///< none that are hidden, a ghost or not finite, and no triangle without area
+  All       ///< all polygons and strips; a corner that is not finite is an error
+};
+
 /// All triangles of a vtkPolyData, or of all vtkPolyData blocks of a composite one after the other.
-/// Polygons (concave ones too) and strips are cut into triangles; vertices, lines, ghost and hidden
-/// cells, triangles without area and those with a non-finite corner are left out.
+/// Polygons (concave ones too) and strips are cut into triangles; vertices and lines are left out.
+/// Unless all are chosen, so are ghost and hidden cells, triangles without area and those with a
+/// non-finite corner.
 struct SurfaceTriangles
 {
   struct Block
@@ -50,7 +58,8 @@ struct SurfaceTriangles
 /// Throws std::invalid_argument, with a message for the user, when the patch array is missing or is
 /// not one integer per cell, when a cell refers to a point that does not exist, and when a block is
 /// not a vtkPolyData. A null input gives no triangles.
-SurfaceTriangles extractSurfaceTriangles(vtkDataObject* input, const PatchSource& source = {});
+SurfaceTriangles extractSurfaceTriangles(vtkDataObject* input, const PatchSource& source = {},
+  TriangleChoice choice = TriangleChoice::Drawable);
 } // namespace hachure
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSimilarityTracker.h"
 
+#include "CameraView.h"
 #include "Core/PatchFit.h"
 #include "SimilaritySamples.h"
 
@@ -10,7 +11,6 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkIntArray.h>
-#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
@@ -25,29 +25,12 @@ vtkStandardNewMacro(vtkSimilarityTracker);
 
 namespace
 {
-glm::dmat4 toMatrix(vtkMatrix4x4* matrix)
-{
-  glm::dmat4 result;
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      result[column][row] = matrix->GetElement(row, column);
-    }
-  }
-  return result;
-}
-
 std::vector<hachure::ProjectedSample> project(const hachure::TrackedSampleSet& samples,
   const hachure::SampleGeometry& geometry, vtkCamera* camera, const double size[2])
 {
-  hachure::ViewProjection view;
-  view.modelToView = toMatrix(camera->GetModelViewTransformMatrix());
-  view.viewToClip = toMatrix(camera->GetProjectionTransformMatrix(size[0] / size[1], -1.0, 1.0));
-  view.viewportSize = { size[0], size[1] };
   return hachure::projectSamples(
-    { geometry.positions, geometry.normals, samples.patches, samples.spacing }, view,
-    hachure::FacingRule::FrontOnly);
+    { geometry.positions, geometry.normals, samples.patches, samples.spacing },
+    hachure::cameraView(camera, size), hachure::FacingRule::FrontOnly);
 }
 
 void fillTable(vtkTable* table, const std::vector<int>& patchIds,

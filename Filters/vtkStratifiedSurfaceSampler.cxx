@@ -34,24 +34,6 @@ namespace
 using hachure::SurfaceSamples;
 using hachure::SurfaceTriangles;
 
-/// Whether the surface is nearly closed and its triangles face inward. Only a closed surface tells
-/// outside from inside: a relief keeps its normals, whatever its shape.
-bool isInsideOut(const hachure::TriangleMesh& mesh)
-{
-  // The area vectors of a closed surface add up to zero. A scan cut off at the border of its volume
-  // misses a few per cent of its area.
-  const double largestOpening = 0.1;
-  glm::dvec3 sum(0.0);
-  double area = 0.0;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-  {
-    const glm::dvec3 vector = hachure::triangleAreaVector(mesh, static_cast<std::int64_t>(i));
-    sum += vector;
-    area += glm::length(vector);
-  }
-  return glm::length(sum) < largestOpening * area && hachure::signedVolume(mesh) < 0.0;
-}
-
 template <class ArrayType>
 ArrayType* addArray(vtkPolyData* output, const char* name, int components, std::size_t count)
 {
@@ -71,7 +53,7 @@ void attachGeometry(
   std::vector<double> blockSigns;
   for (std::size_t block = 0; block < surface.blocks.size(); ++block)
   {
-    blockSigns.push_back(isInsideOut(surface.blockMesh(block)) ? -1.0 : 1.0);
+    blockSigns.push_back(hachure::isInsideOut(surface.blockMesh(block)) ? -1.0 : 1.0);
   }
 
   vtkNew<vtkPoints> points;

@@ -65,6 +65,7 @@ find_package(VTK REQUIRED PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH COMPONENTS
   CommonTransforms
   FiltersCore
   FiltersGeneral
+  FiltersExtraction
   FiltersGeometry
   FiltersSources
   ImagingCore

@@ -94,4 +94,20 @@ double signedVolume(const TriangleMesh& mesh)
   }
   return sixVolumes / 6.0;
 }
+
+bool isInsideOut(const TriangleMesh& mesh)
+{
+  // The area vectors of a closed surface add up to zero. A scan cut off at the border of its volume
+  // misses a few per cent of its area.
+  const double largestOpening = 0.1;
+  glm::dvec3 sum(0.0);
+  double area = 0.0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    const glm::dvec3 vector = triangleAreaVector(mesh, static_cast<std::int64_t>(i));
+    sum += vector;
+    area += glm::length(vector);
+  }
+  return glm::length(sum) < largestOpening * area && signedVolume(mesh) < 0.0;
+}
 } // namespace hachure

@@ -35,6 +35,10 @@ bool isDegenerateTriangle(const glm::dvec3& a, const glm::dvec3& b, const glm::d
 /// Signed volume enclosed by the triangles, positive when the normals of a closed surface point
 /// outward. For an open surface it is taken about the centre of its bounding box.
 double signedVolume(const TriangleMesh& mesh);
+
+/// Whether the surface is nearly closed and its triangles face inward. Only a closed surface tells
+/// outside from inside: a relief keeps its normals, whatever its shape.
+bool isInsideOut(const TriangleMesh& mesh);
 } // namespace hachure
 
 #endif

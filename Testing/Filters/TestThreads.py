@@ -85,8 +85,17 @@ def digests():
     paint.SetPattern(paint.PAINT)
     table = hachure.vtkToneCorrectionTable()
     table.SetInputConnection(pattern.GetOutputPort())
+    patches = hachure.vtkSurfacePatches()
+    patches.SetInputConnection(surface.GetOutputPort())
+    patches.SetNumberOfPatches(20)
+    patches.AddCamera(camera_at(0.0))
+    patches.AddCamera(camera_at(5.0))
+    patches.SetMaximumSlide(0.1)
+    blend = hachure.vtkPatchBlendWeights()
+    blend.SetInputConnection(patches.GetOutputPort())
+    blend.SetRings(3)
     results = []
-    for filter_ in (sampler, tracker, pattern, paint, table, metrics_of_waves()):
+    for filter_ in (sampler, tracker, pattern, paint, table, patches, blend, metrics_of_waves()):
         filter_.Update()
         results.append(filter_.GetClassName() + " " + digest(filter_.GetOutput()))
     return "\n".join(results)
@@ -106,5 +115,5 @@ outputs = [
     ).stdout
     for threads in ("1", "8")
 ]
-assert outputs[0].count("\n") == 6, outputs[0]
+assert outputs[0].count("\n") == 8, outputs[0]
 assert outputs[0] == outputs[1], "\n".join(outputs)

@@ -23,3 +23,15 @@ assert data.GetDimensions() == (128, 128, 1), data.GetDimensions()
 assert data.GetFieldData().GetArray("Periods").GetValue(0) == 16
 low, high = data.GetPointData().GetArray("Screen").GetRange()
 assert 0 <= low < 0.1 and 0.9 < high <= 1, (low, high)
+
+patches = simple.HachureSurfacePatches(Input=sphere, NumberOfPatches=7)
+assert servermanager.Fetch(patches).GetCellData().GetArray("PatchId").GetRange() == (0, 6)
+weights = simple.HachurePatchBlendWeights(Input=patches, Rings=2)
+data = servermanager.Fetch(weights).GetPointData()
+assert data.GetArray("BlendPatches").GetRange(0) == (0, 6)
+assert 0.2 < data.GetArray("BlendWeights").GetRange(0)[0] < 0.6
+
+picked = simple.SelectionQuerySource(QueryString="id < 5", FieldType="CELL")
+patches = simple.HachureSurfacePatches(Input=sphere, Selection=picked, Method="Selection")
+values = servermanager.Fetch(patches).GetCellData().GetArray("PatchId")
+assert [values.GetValue(i) for i in range(7)] == [1] * 5 + [0] * 2

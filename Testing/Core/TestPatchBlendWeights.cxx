@@ -109,6 +109,27 @@ TEST(PatchBlendWeights, FourPatchesMeetInEqualPartsOrByFaces)
   EXPECT_FLOAT_EQ(weightOf(middle, 2), 0.25f);
 }
 
+TEST(PatchBlendWeights, FourOfManyPatchesAreKept)
+{
+  Surface fan; // seven patches meet in the middle; the last three have two triangles there
+  fan.points.push_back({ 0, 0, 0 });
+  for (int i = 0; i < 10; ++i)
+  {
+    fan.points.push_back({ std::cos(0.6283 * i), std::sin(0.6283 * i), 0 });
+    fan.triangles.push_back({ 0, 1 + i, 1 + (i + 1) % 10 });
+    fan.patches.push_back(i < 4 ? i : 4 + (i - 4) / 2);
+  }
+  BlendOptions options;
+  PatchBlend middle = patchBlendWeights({ fan.mesh(), {}, {} }, options).front();
+  EXPECT_EQ(middle.patches, (std::array<std::int32_t, 4>{ 0, 1, 2, 3 }));
+  EXPECT_FLOAT_EQ(middle.weights[3], 0.25f);
+  options.start = BlendStart::Faces;
+  middle = patchBlendWeights({ fan.mesh(), {}, {} }, options).front();
+  EXPECT_EQ(middle.patches, (std::array<std::int32_t, 4>{ 4, 5, 6, 0 }));
+  EXPECT_FLOAT_EQ(middle.weights[0], 2.0f / 7.0f);
+  EXPECT_FLOAT_EQ(middle.weights[3], 1.0f / 7.0f);
+}
+
 TEST(PatchBlendWeights, CutsOfPolygonsAreNoNeighbours)
 {
   Surface plane = makeHalves(10);

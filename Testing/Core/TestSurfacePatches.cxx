@@ -147,7 +147,7 @@ TEST(SurfacePatches, EveryPieceHasPatchesOfItsOwnWhereTheySuffice)
   Surface two;
   addGrid(two, {}, { 1, 0, 0 }, { 0, 1, 0 }, 20);
   addGrid(two, { 9, 0, 0 }, { 0.1, 0, 0 }, { 0, 0.1, 0 }, 2);
-  addGrid(two, { 1.5, 0, 0 }, { 0.1, 0, 0 }, { 0, 0.1, 0 }, 2);
+  addGrid(two, { 1.05, 0.4, 0 }, { 0.1, 0, 0 }, { 0, 0.1, 0 }, 2);
   two.patches.clear();
   const FaceSurface surface{ two.mesh(), {}, {} };
   CompactOptions options;

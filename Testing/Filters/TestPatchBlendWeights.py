@@ -70,9 +70,9 @@ place = {tuple(p): w for p, w in zip(vtk_to_numpy(sphere.GetPoints().GetData()).
 for p, w in zip(vtk_to_numpy(flat.GetPoints().GetData()).tolist(), flat_weights):
     assert numpy.array_equal(place[tuple(p)], w)
 stripper = vtkStripper()
-stripper.SetInputData(with_patches(sphere, numpy.zeros(sphere.GetNumberOfCells())))
-assert (read(blend(with_patches(made(stripper), numpy.arange(made(stripper).GetNumberOfCells()) % 2)))
-        .max(axis=1) >= 0.5).all()
+stripper.SetInputData(sphere)
+strips = with_patches(made(stripper), numpy.arange(made(stripper).GetNumberOfCells()) % 2)
+assert strips.GetNumberOfStrips() > 3 and (read(blend(strips))[:, :2].sum(axis=1) > 0.99).all()
 
 # Two blocks that touch, one half each: joined or apart.
 quads = [made(vtkPlaneSource(), XResolution=10, YResolution=10, Origin=(x, 0, 0), Point1=(x + 1, 0, 0),
@@ -99,8 +99,13 @@ for joined in (True, False):
 assert not blocks.GetBlock(0).GetPointData().HasArray("BlendWeights")
 assert out.GetBlock(1).GetNumberOfPoints() == 0
 
-# The same width on every triangulation.
-for resolution in (20, 50):
-    out = blend(smooth, WidthMode=1, Distance=0.05)
-    read(out)
+# The same width on two triangulations: patch 1 is the half above z = 0, blended over 0.1 on each side.
+for rows in (21, 61):
+    ball = made(vtkSphereSource(), ThetaResolution=80, PhiResolution=rows)
+    height = vtk_to_numpy(ball.GetPoints().GetData())[:, 2]
+    corners = vtk_to_numpy(ball.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    halves = with_patches(ball, height[corners].sum(axis=1) > 1e-5)
+    weights = read(blend(halves, WidthMode=1, Distance=0.1))
+    x = numpy.clip(0.5 + 0.5 * numpy.arcsin(numpy.clip(height / 0.5, -1, 1)) * 0.5 / 0.1, 0, 1)
+    assert numpy.abs(weights[:, 1] - x * x * (3 - 2 * x)).max() < 0.02
 assert blend(vtkPolyData()).GetNumberOfPoints() == 0

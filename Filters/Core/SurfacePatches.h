@@ -38,7 +38,7 @@ struct CompactOptions
   int patches = 16; ///< wanted, at least 1; never more than there are faces
   /// How much a turn of the normal by one radian counts against a distance of the radius that a
   /// round patch of mean size has. 0: distance alone.
-  double normalWeight = 1.0;
+  double normalWeight = 0.1;
   int iterations = 20; ///< at most; at least 1
   ProgressFn progress;
 };

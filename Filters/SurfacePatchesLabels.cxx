@@ -189,6 +189,7 @@ std::vector<std::int64_t> labelsFromArray(
       }
     }
     std::vector<std::int64_t> values;
+    values.reserve(corners.size());
     for (const std::int32_t corner : corners)
     {
       values.push_back(

@@ -133,7 +133,8 @@ EXPLANATION = (
     "Green marks the best of a row. Frames are played at half the size. Differences are between a frame "
     "and the next one, moved back along the exact motion of the surface: white where the pattern sticks "
     "to the surface, black where ink comes or goes. Curves of a motion have one scale. Unlit clips ask "
-    "for an even tone of one half.",
+    "for an even tone of one half; in lit ones contrast, co-occurrence and the slopes also hold the shading, "
+    "so that only a comparison with the screen tells something.",
     "Where the model itself deforms, texture and solid slide, for want of texture coordinates. A zoom "
     "covers less than an octave, within which all marks but those of the screen grow with the surface; "
     "the motion approach, too fast to tell slides, covers three octaves.",

@@ -5,6 +5,8 @@
 #include "preset_cross_hatch.h"
 #include "preset_halftone.h"
 #include "preset_hatch.h"
+#include "preset_painterly.h"
+#include "preset_paper.h"
 
 namespace hachure
 {
@@ -16,6 +18,8 @@ const std::vector<Preset>& presets()
     { "hatch", preset_hatch },
     { "cross-hatch", preset_cross_hatch },
     { "halftone", preset_halftone },
+    { "painterly", preset_painterly },
+    { "paper", preset_paper },
   };
   return list;
 }

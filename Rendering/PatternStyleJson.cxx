@@ -67,6 +67,8 @@ void describeInk(StyleArchive& archive, vtkPatternLayer* layer)
 {
   using Layer = vtkPatternLayer;
   archive.color("color", layer, &Layer::GetColor, &Layer::SetColor);
+  archive.choice(
+    "colorSource", layer, &Layer::GetColorSource, &Layer::SetColorSource, { "ink", "surface" });
   archive.number("opacity", layer, &Layer::GetOpacity, &Layer::SetOpacity,
     { layer->GetOpacityMinValue(), layer->GetOpacityMaxValue() });
   archive.choice("blendMode", layer, &Layer::GetBlendMode, &Layer::SetBlendMode,

@@ -7,6 +7,7 @@
 #include "Lod.h"
 #include "Mix.h"
 #include "PatchBlend.h"
+#include "PatternColorAt.h"
 #include "PatternCompose.h"
 #include "PatternField.h"
 #include "PatternLayer.h"
@@ -15,6 +16,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternLayer.h"
 #include "vtkPatternPatches.h"
+#include "vtkPatternShaderText.h"
 #include "vtkPatternStyle.h"
 #include "vtkPatternTone.h"
 #include "vtkPatternViewport.h"
@@ -164,6 +166,12 @@ void vtkPatternCompositor::UpdateText()
     std::string declaration = layer.Painter->GetDeclarations(this->PatchCount > 1) + PatternLayer;
     vtkShaderProgram::Substitute(declaration, "TONE", tone);
     vtkShaderProgram::Substitute(declaration, "BLEND", BlendFunction(layer.Layer->GetBlendMode()));
+    const bool surface = layer.Layer->GetColorSource() == vtkPatternLayer::SURFACE;
+    const std::string color = layer.Painter->GetInkColor();
+    vtkShaderProgram::Substitute(declaration, "INKCOLOR",
+      !color.empty() ? color
+        : surface    ? "hachureSurfaceHere"
+                     : "hachureInk@.rgb");
     vtkShaderProgram::Substitute(declaration, "@", number);
     declarations += declaration;
     calls += "  color = hachureLayer" + number + "(color, position, tones);\n";
@@ -177,11 +185,21 @@ void vtkPatternCompositor::UpdateText()
   this->ShaderText = text;
 }
 
+std::string vtkPatternCompositor::GetShaderText(bool forward) const
+{
+  std::string text = this->ShaderText;
+  vtkShaderProgram::Substitute(text, "//Hachure::ColorAt::Dec",
+    vtkPattern::ShaderSection(PatternColorAt, forward ? "Forward" : "Images"));
+  return text;
+}
+
 void vtkPatternCompositor::UpdateTables(vtkOpenGLRenderWindow* window)
 {
   std::vector<std::pair<vtkPatternLayerPainter*, unsigned long>> state;
   std::vector<float> rows;
-  const bool responses = this->GetAttributes().PatchesOverlap;
+  const bool responses = this->GetAttributes().PatchesOverlap ||
+    std::any_of(this->Layers.begin(), this->Layers.end(),
+      [](const Drawn& layer) { return layer.Painter->UsesResponses(); });
   for (const Drawn& layer : this->Layers)
   {
     state.emplace_back(layer.Painter, layer.Painter->GetTableVersion());

@@ -42,8 +42,9 @@ public:
   /// What the layers must know of the surface.
   vtkPatternAttributes GetAttributes() const;
 
-  /// Functions and uniforms; defines hachureCompose() and hachureLogicalPosition().
-  const std::string& GetShaderText() const { return this->ShaderText; }
+  /// Functions and uniforms; defines hachureCompose() and hachureLogicalPosition(). forward: for
+  /// the shader of a translucent surface, which has no attribute images.
+  std::string GetShaderText(bool forward) const;
 
   /// `frame`: where the pattern of the first patch lies, the same for every layer.
   void SetUniforms(vtkShaderProgram* program, vtkPatternStyle* style,

@@ -502,7 +502,7 @@ void vtkPatternMapper::RenderForward(Drawing& drawing)
   vtkPatternShaderInjector* injector = this->Internal->ForwardInjector;
   injector->Configure(vtkPatternShaderInjector::FORWARD, this->Internal->Channels,
     this->Style->GetPaperSource() == vtkPatternStyle::FLAT, drawing.Part.Compositor.GetAttributes(),
-    drawing.Part.Compositor.GetShaderText());
+    drawing.Part.Compositor.GetShaderText(true));
   injector->UniformSetter = [&](vtkShaderProgram* program)
   {
     drawing.Part.Compositor.SetUniforms(

@@ -39,7 +39,7 @@ std::string vtkPatternScreenPass::Text(
   vtkPatternStyle* style, vtkPatternCompositor& compositor, bool outline)
 {
   std::string text = PatternScreenFS;
-  vtkShaderProgram::Substitute(text, "//Hachure::Compose::Dec", compositor.GetShaderText());
+  vtkShaderProgram::Substitute(text, "//Hachure::Compose::Dec", compositor.GetShaderText(false));
   const vtkPatternAttributes needed = compositor.GetAttributes();
   std::string surfaceDec;
   std::string surfaceImpl;
@@ -125,6 +125,13 @@ bool vtkPatternScreenPass::Draw(
   compositor.Activate(scene.Frames);
   compositor.SetUniforms(
     program, scene.Style, scene.Viewport, scene.NanColor.data(), scene.Frames.front());
+  if (program->IsUniformUsed("hachureDrawnRectangle"))
+  {
+    const std::array<int, 4>& area = scene.Rectangle;
+    const float rectangle[4] = { static_cast<float>(area[0]), static_cast<float>(area[1]),
+      static_cast<float>(area[0] + area[2] - 1), static_cast<float>(area[1] + area[3] - 1) };
+    program->SetUniform4f("hachureDrawnRectangle", rectangle);
+  }
   this->DrawRectangle(scene);
   compositor.Deactivate();
   for (const auto& image : images)

@@ -36,6 +36,8 @@ void hachureSeeTexture(vec3 coordinates, vec4 slopes)
   hachureTextureSlopes = slopes;
 }
 
+vec3 hachureSurfaceHere = vec3(0.0); // linear colour of the surface, set by hachureCompose
+
 vec3 hachureUnpackNormal(float coded)
 {
   float x = floor(coded / 4096.0);
@@ -53,6 +55,8 @@ vec2 hachureLogicalPosition(vec2 fragment)
 {
   return fragment * hachurePixelMap.xy + hachurePixelMap.zw;
 }
+
+//Hachure::ColorAt::Dec
 
 // Threshold of a layer's screen; both are texture coordinates of the tables.
 float hachureThreshold(float column, float row)
@@ -92,7 +96,8 @@ vec3 hachureCompose(vec2 position, vec3 surface, vec3 tones)
   {
     return hachureNanColor;
   }
-  vec3 color = hachurePaper.w > 0.0 ? toLinear(surface) : hachurePaper.rgb;
+  hachureSurfaceHere = toLinear(surface);
+  vec3 color = hachurePaper.w > 0.0 ? hachureSurfaceHere : hachurePaper.rgb;
   //Hachure::Layers::Impl
   return color;
 }

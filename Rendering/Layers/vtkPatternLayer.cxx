@@ -66,6 +66,7 @@ void vtkPatternLayer::PrintSelf(ostream& os, vtkIndent indent)
   this->Tone->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Color: " << this->Color[0] << ", " << this->Color[1] << ", " << this->Color[2]
      << "\n";
+  os << indent << "ColorSource: " << this->ColorSource << "\n";
   os << indent << "Opacity: " << this->Opacity << "\n";
   os << indent << "BlendMode: " << this->BlendMode << "\n";
   os << indent << "Seed: " << this->Seed << "\n";

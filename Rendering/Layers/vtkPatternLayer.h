@@ -67,6 +67,19 @@ public:
   vtkGetVector3Macro(Color, double);
   ///@}
 
+  /** Where an ink has its colour from: its own, or the surface below the mark as it is lit. */
+  enum ColorSourceType
+  {
+    INK = 0,
+    SURFACE = 1
+  };
+
+  ///@{
+  /** Where the ink has its colour from, one of ColorSourceType; default INK, that is Color. */
+  vtkSetClampMacro(ColorSource, int, INK, SURFACE);
+  vtkGetMacro(ColorSource, int);
+  ///@}
+
   ///@{
   /** Coverage of fully inked paper, 0 (invisible) to 1 (solid); default 1. */
   vtkSetClampMacro(Opacity, double, 0.0, 1.0);
@@ -111,6 +124,7 @@ private:
 
   vtkSmartPointer<vtkPatternTone> Tone;
   double Color[3] = { 0.0, 0.0, 0.0 };
+  int ColorSource = INK;
   double Opacity = 1.0;
   int BlendMode = OVER;
   vtkTypeUInt32 Seed = 1;

@@ -60,6 +60,12 @@ public:
   /// Whether the field lies differently on every patch.
   virtual bool FollowsPatches() const { return false; }
 
+  /// Linear colour of the ink at `position`, a vec3 of the shader, where it depends on more than
+  /// the layer's colour source; `coverage` is known.
+  virtual std::string GetInkColor() const { return {}; }
+  /// Whether hachureResponse() is called.
+  virtual bool UsesResponses() const { return false; }
+
   /// Declarations with '@' for the layer's number; they define
   /// float hachureCoverage@(vec2 position, float tone). patches: where there are several patches.
   virtual std::string GetDeclarations(bool patches) const = 0;

@@ -60,12 +60,25 @@ def glue_pieces(root):
 
 
 def layer_texts(pieces):
-    """The text of every kind of layer. Of one that has sections the first goes with each other one."""
+    """The text of every kind of layer. Of one that has sections the first goes with each other one, bare
+    and with all options: those whose sections are for tags in it, as OptionDec and OptionImpl."""
     texts = []
     for name in sorted(pieces):
-        if name.endswith("Layer") and name != "PatternLayer":
-            parts = list(sections(pieces[name]).values())
-            texts += [parts[0] + part for part in parts[1:]] if parts else [pieces[name]]
+        if not name.endswith("Layer") or name == "PatternLayer":
+            continue
+        parts = sections(pieces[name])
+        if not parts:
+            texts.append(pieces[name])
+            continue
+        base, *others = parts
+        options = [other for other in others if other.endswith(("Dec", "Impl"))]
+        full = parts[base]
+        for option in options:
+            word, place = re.match(r"(\w+?)(Dec|Impl)$", option).groups()
+            full = full.replace("//Hachure::%s::%s" % (word, place), parts[option])
+        for other in others:
+            if other not in options:
+                texts += [parts[base] + parts[other], full + parts[other]]
     return texts
 
 
@@ -77,6 +90,7 @@ def stack(pieces, kernels):
     for number, (kind, blend) in enumerate(pairs):
         text = kind + pieces.get("PatternLayer", "")
         text = text.replace("TONE", "tones[0]" if number % 2 else "hachureCurve@.z")
+        text = text.replace("INKCOLOR", "hachureInk@.rgb" if number % 2 else "hachureSurfaceHere")
         declarations += text.replace("BLEND", blend).replace("@", str(number))
         calls += "  color = hachureLayer%d(color, position, tones);\n" % number
     return declarations, calls
@@ -97,6 +111,7 @@ def assemble(text, kernels, pieces):
         ("//Hachure::Outline::Dec", outline.get("Functions", "")),
         ("//Hachure::Outline::Impl", outline.get("Call", "")),
         ("//Hachure::Crease::Impl", outline.get("Crease", "")),
+        ("//Hachure::ColorAt::Dec", sections(pieces.get("PatternColorAt", "")).get("Images", "")),
         ("//Hachure::Patches::Dec", pieces.get("PatternPatches", "")),
         ("//Hachure::Layers::Dec", declarations),
         ("//Hachure::Layers::Impl", calls),

@@ -81,6 +81,17 @@ def test_every_parameter_survives():
     layer.SetSizeUnit(layer.MILLIMETRES)
     layer.SetAngle(-30.5)
     layer.SetIrregularity(0.25)
+    layer.SetDensities(3)
+    layer.SetDabLength(4.5)
+    layer.SetDabJitter(30)
+    layer.SetDabDensity(2)
+    layer.SetBristles(0.25)
+    layer.SetBump(0.75)
+    layer.SetColorVariation(0.125)
+    layer.SetPaperContrast(0.4)
+    layer.SetPaperSize(0.3)
+    layer.SetPaperSizeUnit(layer.MILLIMETRES)
+    layer.SetColorSource(layer.SURFACE)
     layer.SetMotion(layer.DYNAMIC_SOLID)
     layer.SetSurfacePeriod(0.125)
     layer.SetLodStart(1.1)
@@ -260,14 +271,17 @@ def test_files(folder):
 def test_presets():
     count = hachure.vtkPatternStyle.GetNumberOfPresets()
     names = [hachure.vtkPatternStyle.GetPresetName(i) for i in range(count)]
-    assert names == ["hatch", "cross-hatch", "halftone"], names
+    assert names == ["hatch", "cross-hatch", "halftone", "painterly", "paper"], names
     assert hachure.vtkPatternStyle.GetPresetName(count) is None
     assert hachure.vtkPatternStyle.GetDefaultPresetName() in names
+    layer = hachure.vtkImagePatternLayer
+    patterns = [layer.HATCH, layer.CROSS_HATCH, layer.HALFTONE, layer.PAINT, layer.HATCH]
     texts = set()
     for i, name in enumerate(names):
         style = new_style()
         assert style.LoadPreset(name), errors
-        assert style.GetLayer(0).GetPattern() == i and style.GetOutline()
+        layer = style.GetLayer(0)
+        assert layer.GetPattern() == patterns[i] and style.GetOutline() == (name != "painterly")
         texts.add(style.ToJson())
     assert len(texts) == len(names)
     expect_error(style.LoadPreset("dots"), 'unknown style "dots"', "hatch, cross-hatch, halftone")

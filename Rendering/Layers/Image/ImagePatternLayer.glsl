@@ -4,9 +4,12 @@
 uniform sampler2D hachureTile@; // r: screen, g: its change per texel of level 0
 uniform float hachureFade@;     // 1: the octaves cross-fade as inks, 0: they blend as screens
 
+//Hachure::Paper::Dec
+//Hachure::Paint::Dec
+
 // Ink of the pattern where it lies so; field: where octaves blend as screens, the screen and its
-// change across the pixel.
-float hachureInkAt@(HachurePlacement at, vec2 position, float tone, out vec2 field)
+// change across the pixel; share: weight of this ink in what is drawn.
+float hachureInkAt@(HachurePlacement at, vec2 position, float tone, float share, out vec2 field)
 {
   vec2 uv = vec2(dot(at.right.xyz, vec3(position, 1.0)), dot(at.up.xyz, vec3(position, 1.0)));
   float footprint = at.right.w;
@@ -24,10 +27,82 @@ float hachureInkAt@(HachurePlacement at, vec2 position, float tone, out vec2 fie
     float row = at.octaves[2 + octave] / hachureTableRows;
     inks[octave] = patternInk(
       tone, hachureThreshold(tableColumn(tone), row), field, at.octaves[octave]);
+    //Hachure::Paper::Impl
+    //Hachure::Paint::Impl
   }
   return hachureFade@ > 0.0 ? mix(inks[0], inks[1], blend) : inks[last];
 }
 
+//Section PaperDec
+uniform sampler2D hachurePaper@; // r: height of the paper, g: its change per texel of level 0
+uniform vec3 hachureGrain@;      // contrast, tiles of paper per tile, texels of paper per texel
+
+// Ink of a screen on rough paper: both decide together where ink goes first.
+float hachureInkOnPaper@(vec2 uv, vec2 field, float row, float tone, float footprint)
+{
+  float contrast = hachureGrain@.x;
+  float texels = footprint * hachureGrain@.z;
+  vec2 paper = textureLod(hachurePaper@, hachureGrain@.y * uv, tileLevel(texels)).rg;
+  float own = hachureResponse(field.x + 0.5 * field.y, row) -
+    hachureResponse(field.x - 0.5 * field.y, row);
+  vec2 widths = vec2((1.0 - contrast) * own, contrast * paper.y * edgeSharpness * texels);
+  float spread = 0.5 * length(widths);
+  // A dry pencil catches on the heights first.
+  float mixed = mix(hachureResponse(field.x, row), 1.0 - paper.x, contrast);
+  vec4 weights = vec4(1.0 - contrast, contrast, 0.0, 0.0);
+  float width = clamp(
+    mixedShare(mixed + spread, weights) - mixedShare(mixed - spread, weights), 1.0e-4, 1.0);
+  return inkCoverage(mixedShare(mixed, weights), exactThreshold(tone, width), width);
+}
+//Section PaperImpl
+    inks[octave] = tone <= 0.0 || tone >= 1.0
+      ? inks[octave]
+      : mix(hachureInkOnPaper@(size * uv, field, row, tone, size * footprint), tone,
+          at.octaves[octave]);
+//Section PaintDec
+uniform sampler2D hachureDabs@;      // of the dab on top: offset to its middle (rg), opacity, height
+uniform sampler2D hachureDabsBelow@; // of the one below it: offset, opacity, its own brightness
+uniform vec3 hachurePaint@;          // relief, variation of brightness, 1: colours of the surface
+uniform vec3 hachurePaintColor@;     // linear colour otherwise
+
+vec3 hachurePainted@ = vec3(0.0); // colour of the paint times its coverage
+
+vec3 hachureDabColor@(vec2 position, vec2 offset, mat2 toPosition, float brightness)
+{
+  vec3 color =
+    hachurePaint@.z > 0.0 ? hachureColorAt(position + toPosition * offset) : hachurePaintColor@;
+  return color * (1.0 + hachurePaint@.y * (brightness - 0.5));
+}
+
+// Colour of the paint at tile coordinates uv of a copy `size` times smaller.
+vec3 hachurePaintAt@(HachurePlacement at, vec2 position, vec2 uv, float size)
+{
+  int level = int(max(0.0, floor(log2(max(size * at.right.w, 1.0)) + 0.5)));
+  ivec2 extent = textureSize(hachureDabs@, level);
+  vec2 where = fract(uv) * vec2(extent);
+  ivec2 texel = min(ivec2(where), extent - 1);
+  vec4 top = texelFetch(hachureDabs@, texel, level);
+  vec4 below = texelFetch(hachureDabsBelow@, texel, level);
+  vec2 toMiddle = (vec2(texel) + 0.5 - where) / vec2(extent);
+  mat2 toPosition = inverse(size * mat2(at.right.x, at.up.x, at.right.y, at.up.y));
+  vec3 ground = hachurePaint@.z > 0.0 ? hachureSurfaceHere : hachurePaintColor@;
+  vec3 color = mix(ground,
+    hachureDabColor@(position, toMiddle + below.xy, toPosition, fract(7.31 * below.w)), below.z);
+  color = mix(color, hachureDabColor@(position, toMiddle + top.xy, toPosition, below.w), top.z);
+  for (float relief = hachurePaint@.x; relief > 0.0; relief = 0.0)
+  {
+    // Light from the upper left of the picture, over one pixel and a half.
+    vec2 aside = vec2(-0.9, 1.2) * hachurePixelMap.xy;
+    vec2 other = fract(uv + size * vec2(dot(at.right.xy, aside), dot(at.up.xy, aside)));
+    ivec2 neighbour = min(ivec2(other * vec2(extent)), extent - 1);
+    float rise = top.w - texelFetch(hachureDabs@, neighbour, level).w;
+    color *= clamp(1.0 + 2.0 * relief * rise, 0.3, 2.0);
+  }
+  return clamp(color, vec3(0.0), vec3(1.0));
+}
+//Section PaintImpl
+    float part = share * (octave == 1 ? blend : 1.0 - blend);
+    hachurePainted@ += part * inks[octave] * hachurePaintAt@(at, position, size * uv, size);
 //Section One
 uniform vec4 hachureRight@; // where the pattern lies, see HachurePlacement
 uniform vec4 hachureUp@;
@@ -37,7 +112,7 @@ float hachureCoverage@(vec2 position, float tone)
 {
   vec2 field = vec2(0.0);
   return hachureInkAt@(
-    HachurePlacement(hachureRight@, hachureUp@, hachureOctaves@), position, tone, field);
+    HachurePlacement(hachureRight@, hachureUp@, hachureOctaves@), position, tone, 1.0, field);
 }
 
 //Section Patches
@@ -53,7 +128,8 @@ float hachureCoverage@(vec2 position, float tone)
       break;
     }
     HachurePlacement at = hachurePlacementOf(@, hachurePatchNumbers[k]);
-    ink += hachurePatchShares[k] * hachureInkAt@(at, position, tone, field);
+    ink += hachurePatchShares[k] *
+      hachureInkAt@(at, position, tone, hachurePatchShares[k], field);
   }
   return ink;
 }
@@ -80,7 +156,7 @@ float hachureCoverage@(vec2 position, float tone)
     }
     HachurePlacement at = hachurePlacementOf(@, hachurePatchNumbers[k]);
     vec2 field = vec2(0.0);
-    faded += share * hachureInkAt@(at, position, tone, field);
+    faded += share * hachureInkAt@(at, position, tone, share, field);
     float row = at.octaves.z / hachureTableRows;
     float width = hachureResponse(field.x + 0.5 * field.y, row) -
       hachureResponse(field.x - 0.5 * field.y, row);

@@ -73,7 +73,7 @@ void vtkImagePatternLayer::DescribeField(hachure::StyleArchive& archive)
 {
   using Self = vtkImagePatternLayer;
   archive.choice("pattern", this, &Self::GetPattern, &Self::SetPattern,
-    { "hatch", "crossHatch", "halftone", "image" });
+    { "hatch", "crossHatch", "halftone", "image", "stipple", "paint", "paper" });
   archive.imageFile("image", this->Image, this->ImageFileName);
   archive.length("size", this, &Self::GetSize, &Self::SetSize, &Self::GetSizeUnit,
     &Self::SetSizeUnit, { this->GetSizeMinValue(), this->GetSizeMaxValue() });
@@ -81,6 +81,25 @@ void vtkImagePatternLayer::DescribeField(hachure::StyleArchive& archive)
     { this->GetAngleMinValue(), this->GetAngleMaxValue() });
   archive.number("irregularity", this, &Self::GetIrregularity, &Self::SetIrregularity,
     { this->GetIrregularityMinValue(), this->GetIrregularityMaxValue() });
+  archive.integer("densities", this, &Self::GetDensities, &Self::SetDensities,
+    { double(this->GetDensitiesMinValue()), double(this->GetDensitiesMaxValue()) });
+  archive.number("dabLength", this, &Self::GetDabLength, &Self::SetDabLength,
+    { this->GetDabLengthMinValue(), this->GetDabLengthMaxValue() });
+  archive.number("dabJitter", this, &Self::GetDabJitter, &Self::SetDabJitter,
+    { this->GetDabJitterMinValue(), this->GetDabJitterMaxValue() });
+  archive.number("dabDensity", this, &Self::GetDabDensity, &Self::SetDabDensity,
+    { this->GetDabDensityMinValue(), this->GetDabDensityMaxValue() });
+  archive.number("bristles", this, &Self::GetBristles, &Self::SetBristles,
+    { this->GetBristlesMinValue(), this->GetBristlesMaxValue() });
+  archive.number("bump", this, &Self::GetBump, &Self::SetBump,
+    { this->GetBumpMinValue(), this->GetBumpMaxValue() });
+  archive.number("colorVariation", this, &Self::GetColorVariation, &Self::SetColorVariation,
+    { this->GetColorVariationMinValue(), this->GetColorVariationMaxValue() });
+  archive.number("paperContrast", this, &Self::GetPaperContrast, &Self::SetPaperContrast,
+    { this->GetPaperContrastMinValue(), this->GetPaperContrastMaxValue() });
+  archive.length("paperSize", this, &Self::GetPaperSize, &Self::SetPaperSize,
+    &Self::GetPaperSizeUnit, &Self::SetPaperSizeUnit,
+    { this->GetPaperSizeMinValue(), this->GetPaperSizeMaxValue() });
   archive.choice("motion", this, &Self::GetMotion, &Self::SetMotion,
     { "similarity", "fixedInImage", "texture", "dynamicSolid" });
   archive.number("surfacePeriod", this, &Self::GetSurfacePeriod, &Self::SetSurfacePeriod,
@@ -106,6 +125,16 @@ void vtkImagePatternLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SizeUnit: " << this->SizeUnit << "\n";
   os << indent << "Angle: " << this->Angle << "\n";
   os << indent << "Irregularity: " << this->Irregularity << "\n";
+  os << indent << "Densities: " << this->Densities << "\n";
+  os << indent << "DabLength: " << this->DabLength << "\n";
+  os << indent << "DabJitter: " << this->DabJitter << "\n";
+  os << indent << "DabDensity: " << this->DabDensity << "\n";
+  os << indent << "Bristles: " << this->Bristles << "\n";
+  os << indent << "Bump: " << this->Bump << "\n";
+  os << indent << "ColorVariation: " << this->ColorVariation << "\n";
+  os << indent << "PaperContrast: " << this->PaperContrast << "\n";
+  os << indent << "PaperSize: " << this->PaperSize << "\n";
+  os << indent << "PaperSizeUnit: " << this->PaperSizeUnit << "\n";
   os << indent << "Motion: " << this->Motion << "\n";
   os << indent << "SurfacePeriod: " << this->SurfacePeriod << "\n";
   os << indent << "LodStart: " << this->LodStart << "\n";

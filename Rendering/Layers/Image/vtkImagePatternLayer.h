@@ -29,14 +29,20 @@ public:
 
   /**
    * HATCH: parallel strokes. CROSS_HATCH: a second, perpendicular set comes in with darker tones.
-   * HALFTONE: a square grid of growing dots. IMAGE: the picture given by Image.
+   * HALFTONE: a square grid of growing dots. IMAGE: the picture given by Image. STIPPLE: dots of
+   * one size, the more the darker, evenly spread. PAINT: overlapping dabs of a brush; with
+   * ColorSource SURFACE every dab has the colour of the surface at its middle. PAPER: the grain of
+   * rough paper, its valleys first.
    */
   enum PatternType
   {
     HATCH = 0,
     CROSS_HATCH = 1,
     HALFTONE = 2,
-    IMAGE = 3
+    IMAGE = 3,
+    STIPPLE = 4,
+    PAINT = 5,
+    PAPER = 6
   };
 
   /**
@@ -87,7 +93,7 @@ public:
 
   ///@{
   /** Pattern of the field, one of PatternType; default HATCH. */
-  vtkSetClampMacro(Pattern, int, HATCH, IMAGE);
+  vtkSetClampMacro(Pattern, int, HATCH, PAPER);
   vtkGetMacro(Pattern, int);
   ///@}
 
@@ -134,9 +140,54 @@ public:
 
   ///@{
   /** How far the marks wander from a ruled pattern, 0 (ruled) to 1 (sketched); default 0. No
-   * effect on IMAGE. */
+   * effect on IMAGE, STIPPLE, PAINT and PAPER. */
   vtkSetClampMacro(Irregularity, double, 0.0, 1.0);
   vtkGetMacro(Irregularity, double);
+  ///@}
+
+  ///@{
+  /** Densities of strokes of HATCH and CROSS_HATCH. With 1, the default, strokes grow wider with
+   * the tone; with more they keep their width, and the number of them doubles from density to
+   * density, until the distance of the densest ones is Size. Range 1 to 4. */
+  vtkSetClampMacro(Densities, int, 1, 4);
+  vtkGetMacro(Densities, int);
+  ///@}
+
+  ///@{
+  /** Shape of the dabs of PAINT. DabLength: over their width, 1 to 8, default 2.6. DabJitter:
+   * standard deviation of their direction in degrees, 0 to 180, default 18. DabDensity: dabs over
+   * a point, 0.5 to 8, default 3. Bristles: 0, a soft brush, to 1, stiff bristles, default 0.6. */
+  vtkSetClampMacro(DabLength, double, 1.0, 8.0);
+  vtkGetMacro(DabLength, double);
+  vtkSetClampMacro(DabJitter, double, 0.0, 180.0);
+  vtkGetMacro(DabJitter, double);
+  vtkSetClampMacro(DabDensity, double, 0.5, 8.0);
+  vtkGetMacro(DabDensity, double);
+  vtkSetClampMacro(Bristles, double, 0.0, 1.0);
+  vtkGetMacro(Bristles, double);
+  ///@}
+
+  ///@{
+  /** Look of the paint of PAINT. Bump: relief of the paint in light from the upper left, 0 (flat,
+   * the default) to 1. ColorVariation: largest relative difference in brightness between dabs, 0 to
+   * 1, default 0. */
+  vtkSetClampMacro(Bump, double, 0.0, 1.0);
+  vtkGetMacro(Bump, double);
+  vtkSetClampMacro(ColorVariation, double, 0.0, 1.0);
+  vtkGetMacro(ColorVariation, double);
+  ///@}
+
+  ///@{
+  /** Texture of the paper below the marks, which moves with them: PaperContrast is the part that
+   * the grain has in deciding where ink goes first, 0 (smooth, the default) to 1 (the grain
+   * alone); the tone stays exact. PaperSize is the size of a grain in PaperSizeUnit, 0.01 to
+   * 10000, default 4 pixels. No effect with TEXTURE and DYNAMIC_SOLID. */
+  vtkSetClampMacro(PaperContrast, double, 0.0, 1.0);
+  vtkGetMacro(PaperContrast, double);
+  vtkSetClampMacro(PaperSize, double, 0.01, 10000.0);
+  vtkGetMacro(PaperSize, double);
+  vtkSetClampMacro(PaperSizeUnit, int, PIXELS, MILLIMETRES);
+  vtkGetMacro(PaperSizeUnit, int);
   ///@}
 
   ///@{
@@ -200,6 +251,16 @@ private:
   int SizeUnit = PIXELS;
   double Angle = 45.0;
   double Irregularity = 0.0;
+  int Densities = 1;
+  double DabLength = 2.6;
+  double DabJitter = 18.0;
+  double DabDensity = 3.0;
+  double Bristles = 0.6;
+  double Bump = 0.0;
+  double ColorVariation = 0.0;
+  double PaperContrast = 0.0;
+  double PaperSize = 4.0;
+  int PaperSizeUnit = PIXELS;
   int Motion = SIMILARITY;
   double SurfacePeriod = 0.0;
   double LodStart = 1.3;

@@ -5,37 +5,22 @@
 #include "vtkHachureCompatibility.h"
 
 #include "ImagePatternLayer.h"
+#include "ImagePatternTiles.h"
 #include "Kernels.h"
+#include "Random.h"
 #include "SurfacePatternLayer.h"
 #include "ToneTableCache.h"
-#include "vtkDataArray.h"
-#include "vtkImageData.h"
 #include "vtkImagePatternLayer.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternShaderText.h"
-#include "vtkPointData.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <map>
-#include <mutex>
-#include <stdexcept>
-#include <tuple>
 
 namespace
 {
-using TileKey = std::tuple<int, double, unsigned int>; // pattern, irregularity, seed
-using Mips = std::shared_ptr<const std::vector<hachure::PatternTile>>;
-
-// Texels and periods of the built-in tiles: enough periods that a loose hand does not repeat
-// itself visibly, 32 texels a period.
-constexpr int tileSize = 512;
-constexpr int tilePeriods = 16;
-constexpr int ruledSize = 256;
-constexpr int ruledPeriods = 8;
-
 // Tone tables of patterns on the surface. Those of a single octave reach over footprints of 1/2 to
 // 2, so that the next one starts at four times the footprint: a texture spans six octaves, up to
 // where it turns into grey; a solid texture two, and two more where it is seen obliquely. Tables of
@@ -49,68 +34,79 @@ constexpr double blendedStep = 2.0;
 constexpr double wholeInPixels = 512.0;
 constexpr double radiansPerDegree = 3.14159265358979323846 / 180.0;
 
-Mips MakeTile(const TileKey& key)
+// Every level is made by the caller, so the driver must not compute it.
+void UploadLevels(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int components,
+  std::vector<std::vector<float>>& levels, int width, int height)
 {
-  hachure::CrossHatchOptions options;
-  options.irregularity = std::get<1>(key);
-  options.seed = std::get<2>(key);
-  const bool ruled = options.irregularity <= 0.0;
-  options.size = ruled ? ruledSize : tileSize;
-  options.periods = ruled ? ruledPeriods : tilePeriods;
-  hachure::PatternTile tile;
-  switch (std::get<0>(key))
+  texture->ReleaseGraphicsResources(window);
+  texture->SetContext(window);
+  texture->SetWrapS(vtkTextureObject::Repeat);
+  texture->SetWrapT(vtkTextureObject::Repeat);
+  texture->SetMaxLevel(static_cast<int>(levels.size()) - 1);
+  for (std::size_t level = 0; level < levels.size(); ++level)
   {
-    case vtkImagePatternLayer::CROSS_HATCH:
-      tile = hachure::crossHatchTile(options);
-      break;
-    case vtkImagePatternLayer::HALFTONE:
-      tile = hachure::halftoneTile(options);
-      break;
-    default:
-      tile = hachure::hatchTile(options);
-  }
-  return std::make_shared<const std::vector<hachure::PatternTile>>(hachure::mipChain(tile));
-}
-
-// Equal tiles are made once and shared by all windows and mappers that use them.
-Mips SharedTile(const TileKey& key)
-{
-  static std::mutex mutex;
-  static std::map<TileKey, std::weak_ptr<const std::vector<hachure::PatternTile>>> tiles;
-  const std::lock_guard<std::mutex> lock(mutex);
-  Mips tile = tiles[key].lock();
-  if (!tile)
-  {
-    tile = MakeTile(key);
-    tiles[key] = tile;
-  }
-  return tile;
-}
-
-// Mean of the colour components of the user's image, dark = inked first.
-Mips ImageTile(vtkImageData* image)
-{
-  int size[3];
-  image->GetDimensions(size);
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  if (!scalars || size[0] < 1 || size[1] < 1 || size[2] != 1)
-  {
-    throw std::invalid_argument("image: expected a 2D image with scalars");
-  }
-  const int components = scalars->GetNumberOfComponents();
-  const int colors = components == 2 || components == 4 ? components - 1 : components;
-  std::vector<float> grey(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]));
-  for (std::size_t i = 0; i < grey.size(); ++i)
-  {
-    double sum = 0.0;
-    for (int c = 0; c < colors; ++c)
+    const int columns = std::max(1, width >> level);
+    const int rows = std::max(1, height >> level);
+    if (level == 0)
     {
-      sum += scalars->GetComponent(static_cast<vtkIdType>(i), c);
+      texture->Create2DFromRaw(static_cast<unsigned int>(columns), static_cast<unsigned int>(rows),
+        components, VTK_FLOAT, levels[0].data());
+      texture->Bind();
     }
-    grey[i] = static_cast<float>(sum / colors);
+    else
+    {
+      glTexImage2D(GL_TEXTURE_2D, static_cast<int>(level), components == 2 ? GL_RG32F : GL_RGBA32F,
+        columns, rows, 0, components == 2 ? GL_RG : GL_RGBA, GL_FLOAT, levels[level].data());
+    }
   }
-  return std::make_shared<const std::vector<hachure::PatternTile>>(
-    hachure::mipChain(hachure::imageTile(grey, size[0], size[1])));
+  texture->SendParameters();
+}
+
+void UploadScreens(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+  const std::vector<hachure::PatternTile>& tiles)
+{
+  texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
+  texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  std::vector<std::vector<float>> levels;
+  for (const hachure::PatternTile& tile : tiles)
+  {
+    std::vector<float> texels;
+    for (std::size_t i = 0; i < tile.screen.size(); ++i)
+    {
+      texels.push_back(tile.screen[i]);
+      texels.push_back(tile.gradient[i]);
+    }
+    levels.push_back(std::move(texels));
+  }
+  UploadLevels(window, texture, 2, levels, tiles.front().width, tiles.front().height);
+}
+
+// Offset and opacity of the dabs on top, with the height of the paint, or of those below them, with
+// a number of its own for every dab on top.
+void UploadDabs(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+  const std::vector<hachure::PaintTile>& tiles, bool top)
+{
+  texture->SetMinificationFilter(vtkTextureObject::NearestMipmapNearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  constexpr std::uint32_t brightness = 11; // seed of it
+  std::vector<std::vector<float>> levels;
+  for (const hachure::PaintTile& tile : tiles)
+  {
+    const hachure::DabLayer& layer = top ? tile.top : tile.below;
+    std::vector<float> texels;
+    for (std::size_t i = 0; i < layer.alpha.size(); ++i)
+    {
+      texels.push_back(layer.offset[2 * i]);
+      texels.push_back(layer.offset[2 * i + 1]);
+      texels.push_back(layer.alpha[i]);
+      const auto dab = static_cast<std::uint64_t>(tile.top.dab[i]);
+      texels.push_back(
+        top ? tile.height[i] : static_cast<float>(hachure::unitRandom(brightness, dab, 0)));
+    }
+    levels.push_back(std::move(texels));
+  }
+  const hachure::PatternTile& first = tiles.front().pattern;
+  UploadLevels(window, texture, 4, levels, first.width, first.height);
 }
 } // namespace
 
@@ -127,8 +123,26 @@ std::string vtkImagePatternLayerPainter::GetDeclarations(bool patches) const
   }
   const bool several = patches && this->FollowsPatches();
   const char* coverage = !several ? "One" : this->BlendsScreens() ? "MixedPatches" : "Patches";
-  return vtkPattern::ShaderSection(ImagePatternLayer, "Ink") +
-    vtkPattern::ShaderSection(ImagePatternLayer, coverage);
+  const auto section = [](const std::string& name)
+  { return vtkPattern::ShaderSection(ImagePatternLayer, name); };
+  std::string text = section("Ink") + section(coverage);
+  const std::pair<const char*, bool> parts[] = { { "Paper", this->Paper != nullptr },
+    { "Paint", this->Dabs != nullptr } };
+  for (const auto& part : parts)
+  {
+    const std::string name = part.first;
+    for (const std::string place : { "Dec", "Impl" })
+    {
+      vtkShaderProgram::Substitute(text, "//Hachure::" + name + "::" + place,
+        part.second ? section(name + place) : std::string());
+    }
+  }
+  return text;
+}
+
+std::string vtkImagePatternLayerPainter::GetInkColor() const
+{
+  return this->Dabs ? "hachurePainted@ / max(coverage, 1.0e-6)" : std::string();
 }
 
 bool vtkImagePatternLayerPainter::FollowsPatches() const
@@ -183,19 +197,9 @@ bool vtkImagePatternLayerPainter::UpdateTile(std::string& error)
   }
   try
   {
-    if (this->Layer->GetPattern() == vtkImagePatternLayer::IMAGE)
-    {
-      if (!this->Layer->GetImage())
-      {
-        throw std::invalid_argument("image: expected an image for the pattern IMAGE, found none");
-      }
-      this->Tile = ImageTile(this->Layer->GetImage());
-    }
-    else
-    {
-      this->Tile = SharedTile(
-        TileKey(this->Layer->GetPattern(), this->Layer->GetIrregularity(), this->Layer->GetSeed()));
-    }
+    this->Tile = hachure::layerTile(this->Layer);
+    this->Dabs = this->OnSurface() ? nullptr : hachure::layerDabs(this->Layer);
+    this->Paper = this->OnSurface() ? nullptr : hachure::layerPaper(this->Layer);
   }
   catch (const std::exception& problem)
   {
@@ -215,8 +219,8 @@ hachure::LodTransition vtkImagePatternLayerPainter::Transition() const
   }
   const int set = this->Layer->GetTransition();
   const int pattern = this->Layer->GetPattern();
-  const bool strokes =
-    pattern == vtkImagePatternLayer::HATCH || pattern == vtkImagePatternLayer::CROSS_HATCH;
+  const bool strokes = pattern == vtkImagePatternLayer::HATCH ||
+    pattern == vtkImagePatternLayer::CROSS_HATCH || pattern == vtkImagePatternLayer::PAINT;
   const bool fades = set == vtkImagePatternLayer::CROSS_FADE ||
     (set == vtkImagePatternLayer::AUTOMATIC_TRANSITION && strokes);
   return fades ? hachure::LodTransition::crossFade : hachure::LodTransition::blendScreens;
@@ -255,16 +259,52 @@ hachure::ToneTableOptions vtkImagePatternLayerPainter::TableOptions() const
   return options;
 }
 
+double vtkImagePatternLayerPainter::InPixels(double length, int unit) const
+{
+  constexpr double millimetresPerInch = 25.4;
+  const double scale = unit == vtkPatternLayer::MILLIMETRES
+    ? this->CurrentScene.DotsPerInch / millimetresPerInch
+    : 1.0;
+  return length * scale * this->CurrentScene.PixelsPerLogical;
+}
+
+void vtkImagePatternLayerPainter::SetPaperUniforms(
+  vtkShaderProgram* program, const std::string& number)
+{
+  const hachure::PatternTile& tile = this->Tile->front();
+  const hachure::PatternTile& paper = this->Paper->front();
+  const double grain = this->InPixels(this->Layer->GetPaperSize(), this->Layer->GetPaperSizeUnit());
+  const double tiles = tile.periods * this->Period / (paper.periods * grain);
+  program->SetUniformi(("hachurePaper" + number).c_str(), this->PaperTexture->GetTextureUnit());
+  const float values[3] = { static_cast<float>(this->Layer->GetPaperContrast()),
+    static_cast<float>(tiles), static_cast<float>(tiles * paper.width / tile.width) };
+  program->SetUniform3f(("hachureGrain" + number).c_str(), values);
+}
+
+void vtkImagePatternLayerPainter::SetPaintUniforms(
+  vtkShaderProgram* program, const std::string& number)
+{
+  program->SetUniformi(("hachureDabs" + number).c_str(), this->DabsOnTop->GetTextureUnit());
+  program->SetUniformi(("hachureDabsBelow" + number).c_str(), this->DabsBelow->GetTextureUnit());
+  const float values[3] = { static_cast<float>(this->Layer->GetBump()),
+    static_cast<float>(this->Layer->GetColorVariation()),
+    this->Layer->GetColorSource() == vtkPatternLayer::SURFACE ? 1.0f : 0.0f };
+  program->SetUniform3f(("hachurePaint" + number).c_str(), values);
+  const double* own = this->Layer->GetColor();
+  const glm::vec3 color = hachure::glsl::toLinear(
+    glm::vec3(static_cast<float>(own[0]), static_cast<float>(own[1]), static_cast<float>(own[2])));
+  program->SetUniform3f(("hachurePaintColor" + number).c_str(), &color.x);
+}
+
 void vtkImagePatternLayerPainter::UpdateTable(const Scene& scene)
 {
   this->CurrentScene = scene;
-  constexpr double millimetresPerInch = 25.4;
-  double size = this->Layer->GetSize();
-  if (this->Layer->GetSizeUnit() == vtkPatternLayer::MILLIMETRES)
-  {
-    size *= scene.DotsPerInch / millimetresPerInch;
-  }
-  this->Period = size * scene.PixelsPerLogical;
+  // A tile counts its sparsest strokes; Size is the distance of the densest ones.
+  const int pattern = this->Layer->GetPattern();
+  const bool strokes =
+    pattern == vtkImagePatternLayer::HATCH || pattern == vtkImagePatternLayer::CROSS_HATCH;
+  const double sparsest = strokes ? std::exp2(this->Layer->GetDensities() - 1) : 1.0;
+  this->Period = sparsest * this->InPixels(this->Layer->GetSize(), this->Layer->GetSizeUnit());
 
   const hachure::ToneTableOptions options = this->TableOptions();
   int blocks = 1;
@@ -309,43 +349,22 @@ bool vtkImagePatternLayerPainter::BlendsScreens() const
 
 void vtkImagePatternLayerPainter::Upload(vtkOpenGLRenderWindow* window)
 {
-  if (this->Texture->GetHandle() && this->UploadedTile == this->Tile)
+  if (!this->Texture->GetHandle() || this->UploadedTile != this->Tile)
   {
-    return;
+    UploadScreens(window, this->Texture, *this->Tile);
+    this->UploadedTile = this->Tile;
   }
-  this->Texture->ReleaseGraphicsResources(window);
-  this->Texture->SetContext(window);
-  this->Texture->SetWrapS(vtkTextureObject::Repeat);
-  this->Texture->SetWrapT(vtkTextureObject::Repeat);
-  this->Texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
-  this->Texture->SetMaxLevel(static_cast<int>(this->Tile->size()) - 1);
-  std::vector<float> texels;
-  int level = 0;
-  for (const hachure::PatternTile& tile : *this->Tile)
+  if (this->Paper && (!this->PaperTexture->GetHandle() || this->UploadedPaper != this->Paper))
   {
-    texels.resize(2 * tile.screen.size());
-    for (std::size_t i = 0; i < tile.screen.size(); ++i)
-    {
-      texels[2 * i] = tile.screen[i];
-      texels[2 * i + 1] = tile.gradient[i];
-    }
-    if (level == 0)
-    {
-      this->Texture->Create2DFromRaw(static_cast<unsigned int>(tile.width),
-        static_cast<unsigned int>(tile.height), 2, VTK_FLOAT, texels.data());
-      this->Texture->Bind();
-    }
-    else
-    {
-      // Every level is made uniform by itself, so the driver must not compute it.
-      glTexImage2D(
-        GL_TEXTURE_2D, level, GL_RG32F, tile.width, tile.height, 0, GL_RG, GL_FLOAT, texels.data());
-    }
-    ++level;
+    UploadScreens(window, this->PaperTexture, *this->Paper);
+    this->UploadedPaper = this->Paper;
   }
-  this->Texture->SendParameters();
-  this->UploadedTile = this->Tile;
+  if (this->Dabs && (!this->DabsOnTop->GetHandle() || this->UploadedDabs != this->Dabs))
+  {
+    UploadDabs(window, this->DabsOnTop, *this->Dabs, true);
+    UploadDabs(window, this->DabsBelow, *this->Dabs, false);
+    this->UploadedDabs = this->Dabs;
+  }
 }
 
 void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const std::string& number,
@@ -358,6 +377,14 @@ void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const s
     return;
   }
   program->SetUniformf(("hachureFade" + number).c_str(), this->BlendsScreens() ? 0.0f : 1.0f);
+  if (this->Paper)
+  {
+    this->SetPaperUniforms(program, number);
+  }
+  if (this->Dabs)
+  {
+    this->SetPaintUniforms(program, number);
+  }
   const std::array<glm::vec4, 3> placement = this->GetPlacement(frame, firstTableRow);
   const char* const names[] = { "hachureRight", "hachureUp", "hachureOctaves" };
   for (std::size_t i = 0; i < placement.size(); ++i)
@@ -440,18 +467,46 @@ void vtkImagePatternLayerPainter::SetSurfaceUniforms(
   program->SetUniform2f(("hachureKind" + number).c_str(), kind);
 }
 
+std::vector<vtkTextureObject*> vtkImagePatternLayerPainter::UsedTextures()
+{
+  std::vector<vtkTextureObject*> textures = { this->Texture };
+  if (this->Paper)
+  {
+    textures.push_back(this->PaperTexture);
+  }
+  if (this->Dabs)
+  {
+    textures.push_back(this->DabsOnTop);
+    textures.push_back(this->DabsBelow);
+  }
+  return textures;
+}
+
 void vtkImagePatternLayerPainter::Activate()
 {
-  this->Texture->Activate();
+  for (vtkTextureObject* texture : this->UsedTextures())
+  {
+    texture->Activate();
+  }
 }
 
 void vtkImagePatternLayerPainter::Deactivate()
 {
-  this->Texture->Deactivate();
+  for (vtkTextureObject* texture : this->UsedTextures())
+  {
+    texture->Deactivate();
+  }
 }
 
 void vtkImagePatternLayerPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Texture->ReleaseGraphicsResources(window);
+  vtkTextureObject* const textures[] = { this->Texture, this->PaperTexture, this->DabsOnTop,
+    this->DabsBelow };
+  for (vtkTextureObject* texture : textures)
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
   this->UploadedTile = nullptr;
+  this->UploadedPaper = nullptr;
+  this->UploadedDabs = nullptr;
 }

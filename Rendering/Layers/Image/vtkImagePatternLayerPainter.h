@@ -6,6 +6,7 @@
 #ifndef vtkImagePatternLayerPainter_h
 #define vtkImagePatternLayerPainter_h
 
+#include "ImagePatternTiles.h"
 #include "PatternPlacement.h"
 #include "PatternTile.h"
 #include "ToneTable.h"
@@ -25,6 +26,8 @@ public:
   bool Update(vtkOpenGLRenderWindow* window, const Scene& scene, std::string& error) override;
   std::string GetNote() const override;
   bool FollowsPatches() const override;
+  std::string GetInkColor() const override;
+  bool UsesResponses() const override { return this->Paper != nullptr; }
   std::string GetDeclarations(bool patches) const override;
   SurfaceNeed GetSurfaceNeed() const override;
   const std::vector<float>& GetTableRows() const override { return this->TableRows; }
@@ -38,7 +41,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 private:
-  using Mips = std::shared_ptr<const std::vector<hachure::PatternTile>>;
+  using Mips = hachure::TileMips;
   bool UpdateTile(std::string& error);
   void UpdateTable(const Scene& scene);
   /// Tables, of a pattern on the surface for several footprints.
@@ -53,6 +56,11 @@ private:
   void SetSurfaceUniforms(
     vtkShaderProgram* program, const std::string& number, double firstTableRow);
   void Upload(vtkOpenGLRenderWindow* window);
+  std::vector<vtkTextureObject*> UsedTextures();
+  void SetPaperUniforms(vtkShaderProgram* program, const std::string& number);
+  void SetPaintUniforms(vtkShaderProgram* program, const std::string& number);
+  /// Framebuffer pixels of a length of the layer.
+  double InPixels(double length, int unit) const;
 
   vtkWeakPointer<vtkImagePatternLayer> Layer;
   Mips Tile;
@@ -66,6 +74,13 @@ private:
   Scene CurrentScene;
   vtkNew<vtkTextureObject> Texture;
   Mips UploadedTile;
+  hachure::PaintMips Dabs; // of paint, else null
+  vtkNew<vtkTextureObject> DabsOnTop;
+  vtkNew<vtkTextureObject> DabsBelow;
+  hachure::PaintMips UploadedDabs;
+  Mips Paper; // where it has contrast, else null
+  vtkNew<vtkTextureObject> PaperTexture;
+  Mips UploadedPaper;
 };
 
 #endif

@@ -28,7 +28,7 @@ ToneTableCache::Table ToneTableCache::get(const Mips& mips, const ToneTableOptio
       return table;
     }
   }
-  const auto table = std::make_shared<const ToneTable>(buildToneTable(*mips, options));
+  Table table = std::make_shared<const ToneTable>(buildToneTable(*mips, options));
   ++this->numberOfBuilds;
   this->entries.push_back({ mips, table });
   return table;

@@ -168,14 +168,25 @@ void checkTimes(Span<const double> keyTimes, double time, double step)
 
 } // namespace
 
-std::vector<PatternFrame> anchoredFrames(const TrackedSamples& samples, const ViewProjection& view)
+std::vector<PatternFrame> anchoredFrames(
+  const TrackedSamples& samples, const ViewProjection& view, const TrackerOptions& options)
 {
   checkSamples(samples);
   checkView(view);
   std::vector<PatternFrame> frames;
   for (const PatchShape& shape : patchShapes(samples))
   {
-    frames.push_back(anchoredFrame(shape, view));
+    PatternFrame frame = anchoredFrame(shape, view);
+    if (options.lockRotation)
+    {
+      frame.u = { glm::length(frame.u), 0.0 };
+    }
+    if (options.lockScale)
+    {
+      frame.u = glm::normalize(frame.u);
+    }
+    frame.v = { -frame.u.y, frame.u.x };
+    frames.push_back(frame);
   }
   return frames;
 }

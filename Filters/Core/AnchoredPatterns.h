@@ -27,7 +27,9 @@ using ScenePath = std::function<TrackedScene(double time)>;
 // principal axis in the image, or of the second axis, turned by -90 degrees, where the first points
 // at the camera. Continuous in the camera except there. A patch behind the camera gets the unit
 // frame.
-std::vector<PatternFrame> anchoredFrames(const TrackedSamples& samples, const ViewProjection& view);
+// The locks of the options fix direction and size; its other members do not matter.
+std::vector<PatternFrame> anchoredFrames(const TrackedSamples& samples, const ViewProjection& view,
+  const TrackerOptions& options = TrackerOptions());
 
 // Patterns as a pure function of a path (mode Anchored with a path): tracked in fixed steps from
 // the last key at or before `time` (`time` itself when there is none), without visibility. Throws

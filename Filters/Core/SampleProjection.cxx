@@ -55,6 +55,11 @@ void checkSizes(const TrackedSamples& samples)
     refuse("patches has " + std::to_string(samples.patches.size()) + " elements, expected " +
       std::to_string(count) + " as in positions, or none");
   }
+  if (!samples.features.empty() && samples.features.size() != count)
+  {
+    refuse("features has " + std::to_string(samples.features.size()) + " elements, expected " +
+      std::to_string(count) + " as in positions, or none");
+  }
 }
 
 void checkPatches(const TrackedSamples& samples)
@@ -178,6 +183,14 @@ void checkSamples(const TrackedSamples& samples)
         "] is not finite");
     }
   }
+  for (std::size_t i = 0; i < samples.features.size(); ++i)
+  {
+    if (!(samples.features[i] >= 0.0 && std::isfinite(samples.features[i])))
+    {
+      refuse("features[" + std::to_string(i) + "] is " + std::to_string(samples.features[i]) +
+        ", expected a finite number of 0 or more");
+    }
+  }
 }
 
 void checkView(const ViewProjection& view)
@@ -237,6 +250,7 @@ std::vector<ProjectedSample> projectSamples(
       const double area = quarterOfPi * spacing * spacing * facingWeight(sample.weight, facing);
       // Next to the eye the tangent disc grows without bound; no sample fills more than the image.
       sample.weight = std::isfinite(area) ? std::clamp(area, -wholeImage, wholeImage) : 0.0;
+      sample.weight *= samples.features.empty() ? 1.0 : samples.features[i];
       projected[i] = sample;
     }
   };

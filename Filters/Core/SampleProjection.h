@@ -35,6 +35,8 @@ struct TrackedSamples
   Span<const glm::dvec3> normals;   // outward, of unit length; 0 = never faces the viewer
   Span<const std::int32_t> patches; // patch of each sample from 0 on; empty = all 0
   Span<const double> patchSpacing;  // distance between samples, model units; index = patch
+  // Factors of the weights, finite and 0 or more, as from featureFactors; empty = all 1.
+  Span<const double> features = {};
 };
 
 enum class FacingRule
@@ -46,8 +48,8 @@ enum class FacingRule
 
 // The weight is the area, in square pixels, of the image of the disc that lies tangent to the
 // surface at the sample and has the sample spacing as its diameter (Breslav et al. 2007,
-// section 3.1). It is 0 behind the camera and outside a frustum widened by `frustumMargin`. Where
-// it is 0 the position may be meaningless, but is finite.
+// section 3.1), times the sample's feature. It is 0 behind the camera and outside a frustum widened
+// by `frustumMargin`. Where it is 0 the position may be meaningless, but is finite.
 struct ProjectedSample
 {
   glm::dvec2 position{ 0.0 };

@@ -132,7 +132,12 @@ void describeTracking(StyleArchive& archive, vtkPatternStyle* style)
   archive.choice(
     "mode", style, &Style::GetTrackingMode, &Style::SetTrackingMode, { "tracked", "anchored" });
   archive.choice("weightScheme", style, &Style::GetWeightScheme, &Style::SetWeightScheme,
-    { "symmetric", "classic", "unweighted" });
+    { "symmetric", "classic", "unweighted", "perceptual" });
+  archive.choice("featureSource", style, &Style::GetFeatureSource, &Style::SetFeatureSource,
+    { "curvature", "tone", "array" });
+  archive.text("featureArrayName", style, &Style::GetFeatureArrayName, &Style::SetFeatureArrayName);
+  archive.boolean("lockRotation", style, &Style::GetLockRotation, &Style::SetLockRotation);
+  archive.boolean("lockScale", style, &Style::GetLockScale, &Style::SetLockScale);
   archive.integer("samplesPerPatch", style, &Style::GetSamplesPerPatch, &Style::SetSamplesPerPatch,
     { static_cast<double>(style->GetSamplesPerPatchMinValue()),
       static_cast<double>(style->GetSamplesPerPatchMaxValue()) });

@@ -70,6 +70,7 @@ struct vtkPatternMapper::Internals
   std::string ReportedStyle;
   std::string ReportedDevice;
   std::string ReportedNote;
+  std::string ReportedProblem;
 };
 
 // All that one Render call hands from step to step.
@@ -213,6 +214,20 @@ std::string vtkPatternMapper::GetPatchArrayName()
   return this->PatchArrayName;
 }
 
+void vtkPatternMapper::SetVelocityArrayName(const std::string& name)
+{
+  if (this->VelocityArrayName != name)
+  {
+    this->VelocityArrayName = name;
+    this->Modified();
+  }
+}
+
+std::string vtkPatternMapper::GetVelocityArrayName()
+{
+  return this->VelocityArrayName;
+}
+
 const vtkPatternPatches& vtkPatternMapper::GetPatches() const
 {
   return this->Internal->Patches;
@@ -353,9 +368,10 @@ std::vector<hachure::PatternFrame> vtkPatternMapper::AnchoredFrames(
   const hachure::TrackedSamples& samples, const hachure::ViewProjection& view,
   vtkRenderer* renderer)
 {
+  const hachure::TrackerOptions options = vtkPatternViewContext::OptionsOf(this->Style);
   if (!this->CameraPath || this->CameraPath->GetNumberOfCameras() == 0)
   {
-    return hachure::anchoredFrames(samples, view);
+    return hachure::anchoredFrames(samples, view, options);
   }
   // The path moves the camera; what the projection and the actor do is taken from this frame.
   vtkNew<vtkCamera> camera;
@@ -377,7 +393,7 @@ std::vector<hachure::PatternFrame> vtkPatternMapper::AnchoredFrames(
     return scene;
   };
   return hachure::replayFrames(
-    path, this->Internal->KeyTimes, this->AnimationTime, this->ReplayStep);
+    path, this->Internal->KeyTimes, this->AnimationTime, this->ReplayStep, options);
 }
 
 bool vtkPatternMapper::DrawsPatterns(vtkRenderer* renderer, vtkActor* actor)
@@ -481,6 +497,7 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   const bool lowDetail = this->TrackedMapper != nullptr;
   vtkPatternMapper* steering = lowDetail ? this->TrackedMapper.Get() : this;
   auto* track = vtkPatternViewContext::Get(renderer)->Advance(steering, actor, viewport, lowDetail);
+  this->Report(track->Problem, this->Internal->ReportedProblem);
   // One eye's picture tells nothing new of a view that was measured already.
   const bool otherEye =
     window->GetStereoRender() && (!renderer->GetActiveCamera()->GetLeftEye() || !track->Moved);
@@ -653,5 +670,6 @@ void vtkPatternMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CameraPath: " << this->CameraPath.Get() << "\n";
   os << indent << "AnimationTime: " << this->AnimationTime << "\n";
   os << indent << "PatchArrayName: " << this->PatchArrayName << "\n";
+  os << indent << "VelocityArrayName: " << this->VelocityArrayName << "\n";
   os << indent << "ReplayStep: " << this->ReplayStep << "\n";
 }

@@ -97,7 +97,7 @@ public:
 
   ///@{
   /**
-   * Time on the camera path, in its unit. Default 0.
+   * Time on the camera path, in its unit, and of velocities. Default 0.
    */
   vtkSetMacro(AnimationTime, double);
   vtkGetMacro(AnimationTime, double);
@@ -120,6 +120,19 @@ public:
    */
   virtual void SetPatchArrayName(const std::string& name);
   virtual std::string GetPatchArrayName();
+  ///@}
+
+  ///@{
+  /**
+   * Point array with three components: the velocity of the surface, in model units per unit of the
+   * data's time, or of AnimationTime where the data have no time. Where the connectivity changes
+   * between frames, as that of isosurfaces does, samples of the surface before are carried by it,
+   * so that the patterns follow the surface. Otherwise the surface's points tell its motion, and
+   * the array is not used. An error names an array that is missing or has other components; the
+   * patterns then follow camera and actor alone, as by default: empty.
+   */
+  virtual void SetVelocityArrayName(const std::string& name);
+  virtual std::string GetVelocityArrayName();
   ///@}
 
   /**
@@ -208,6 +221,7 @@ private:
   double AnimationTime = 0.0;
   double ReplayStep = 1.0 / 24.0;
   std::string PatchArrayName;
+  std::string VelocityArrayName;
   DrawStage Stage = DrawStage::Stock;
   std::unique_ptr<Internals> Internal;
 };

@@ -3,6 +3,7 @@
 #include "vtkPatternSamples.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -15,6 +16,8 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 namespace
 {
@@ -73,7 +76,7 @@ std::vector<vtkPatternSamples::Block> vtkPatternSamples::Collect(
   return blocks;
 }
 
-bool vtkPatternSamples::Update(vtkDataObject* input, const Options& options)
+bool vtkPatternSamples::Update(vtkDataObject* input, const Options& options, Surface* replaced)
 {
   std::vector<Block> blocks = Collect(input, this->Blocks);
   bool sameCells =
@@ -93,10 +96,82 @@ bool vtkPatternSamples::Update(vtkDataObject* input, const Options& options)
   }
   if (!sameCells)
   {
+    if (replaced)
+    {
+      *replaced = { std::move(this->Positions), std::move(this->Normals), std::move(this->Patches),
+        std::move(this->PatchSpacing) };
+    }
     this->Sample(input, options);
   }
   this->Move();
   return true;
+}
+
+void vtkPatternSamples::Read(const std::string& role, const std::string& name, int components,
+  Association where, Values& values) const
+{
+  const std::string expected = std::to_string(components) +
+    (components == 1 ? " component" : " components") + " for every point" +
+    (where == Association::PointsOrCells ? " or cell" : "");
+  struct Source
+  {
+    vtkDataArray* Array;
+    bool OfPoints;
+  };
+  std::vector<Source> sources;
+  std::uint64_t stamp = Mix(this->SetVersion, this->PositionVersion);
+  for (const Block& block : this->Blocks)
+  {
+    Source source = { block.Data->GetPointData()->GetArray(name.c_str()), true };
+    if (!source.Array && where == Association::PointsOrCells)
+    {
+      source = { block.Data->GetCellData()->GetArray(name.c_str()), false };
+    }
+    const bool used = block.Data->GetNumberOfPolys() > 0 || block.Data->GetNumberOfStrips() > 0;
+    if (used && !source.Array)
+    {
+      throw std::invalid_argument(role + ": no array '" + name + "', expected " + expected);
+    }
+    if (used && source.Array->GetNumberOfComponents() != components)
+    {
+      throw std::invalid_argument(role + ": array '" + name + "' has " +
+        std::to_string(source.Array->GetNumberOfComponents()) + " components, expected " +
+        expected);
+    }
+    stamp = Mix(stamp, source.Array ? source.Array->GetMTime() : 0);
+    sources.push_back(source);
+  }
+  if (values.Stamp == stamp)
+  {
+    return;
+  }
+  const auto stride = static_cast<std::size_t>(components);
+  values.Numbers.assign(stride * this->Count(), 0.0);
+  for (std::size_t i = 0; i < this->Count(); ++i)
+  {
+    const Source& source = sources[this->SampleBlock[i]];
+    this->ReadSample(i, source.Array, source.OfPoints, &values.Numbers[stride * i]);
+  }
+  values.Stamp = stamp;
+}
+
+void vtkPatternSamples::ReadSample(
+  std::size_t sample, vtkDataArray* array, bool ofPoints, double* numbers) const
+{
+  for (int component = 0; component < array->GetNumberOfComponents(); ++component)
+  {
+    if (!ofPoints)
+    {
+      numbers[component] = array->GetComponent(this->SampleCell[sample], component);
+      continue;
+    }
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const auto k = static_cast<std::size_t>(corner);
+      numbers[component] += this->Barycentrics[sample][corner] *
+        array->GetComponent(this->SampleCorners[sample][k], component);
+    }
+  }
 }
 
 void vtkPatternSamples::Sample(vtkDataObject* input, const Options& options)
@@ -117,10 +192,12 @@ void vtkPatternSamples::Sample(vtkDataObject* input, const Options& options)
   vtkDataArray* patches = arrays->GetArray("PatchId");
   vtkDataArray* normals = arrays->GetArray("Normals");
   vtkDataArray* blockIds = arrays->GetArray("BlockIndex");
+  vtkDataArray* cells = arrays->GetArray("CellId");
   vtkDataArray* spacing = samples->GetFieldData()->GetArray("PatchSpacing");
 
   this->SampleBlock.clear();
   this->SampleCorners.clear();
+  this->SampleCell.clear();
   this->Barycentrics.clear();
   this->Patches.clear();
   this->Orientation.clear();
@@ -143,6 +220,7 @@ void vtkPatternSamples::Sample(vtkDataObject* input, const Options& options)
     this->SampleCorners.push_back({ static_cast<long long>(corners->GetComponent(i, 0)),
       static_cast<long long>(corners->GetComponent(i, 1)),
       static_cast<long long>(corners->GetComponent(i, 2)) });
+    this->SampleCell.push_back(static_cast<long long>(cells->GetComponent(i, 0)));
     this->Barycentrics.emplace_back(
       weights->GetComponent(i, 0), weights->GetComponent(i, 1), weights->GetComponent(i, 2));
     this->Patches.push_back(static_cast<std::int32_t>(patches->GetComponent(i, 0)));

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkDataObject;
 class vtkPolyData;
 
@@ -35,9 +36,37 @@ public:
     }
   };
 
+  /// Samples that were replaced, as they lay last.
+  struct Surface
+  {
+    std::vector<glm::dvec3> Positions;
+    std::vector<glm::dvec3> Normals;
+    std::vector<std::int32_t> Patches;
+    std::vector<double> PatchSpacing;
+  };
+
+  /// Values of an array at the samples, one after another.
+  struct Values
+  {
+    std::vector<double> Numbers;
+    std::uint64_t Stamp = 0; // of what they were read from
+  };
+  enum class Association
+  {
+    Points,
+    PointsOrCells
+  };
+
   /// Brings the samples up to date with polydata or a composite of polydata. New connectivity makes
-  /// new samples, new coordinates only move them. Returns true where anything changed.
-  bool Update(vtkDataObject* input, const Options& options);
+  /// new samples, new coordinates only move them. Returns true where anything changed. Samples that
+  /// are replaced go to `replaced`, where that is not null.
+  bool Update(vtkDataObject* input, const Options& options, Surface* replaced = nullptr);
+
+  /// Reads a named array of the blocks of the last update: interpolated between points, or that of
+  /// the cell. Does nothing while neither samples nor array change. Throws std::invalid_argument
+  /// that begins with `role` and names the array.
+  void Read(const std::string& role, const std::string& name, int components, Association where,
+    Values& values) const;
 
   hachure::TrackedSamples Tracked() const;
   std::size_t Count() const { return this->Positions.size(); }
@@ -62,11 +91,13 @@ private:
   static std::vector<Block> Collect(vtkDataObject* input, const std::vector<Block>& previous);
   void Sample(vtkDataObject* input, const Options& options);
   void Move();
+  void ReadSample(std::size_t sample, vtkDataArray* array, bool ofPoints, double* numbers) const;
 
   std::vector<Block> Blocks;
   Options Current;
   std::vector<std::uint32_t> SampleBlock;              // index into Blocks
   std::vector<std::array<long long, 3>> SampleCorners; // point ids
+  std::vector<long long> SampleCell;                   // cell ids
   std::vector<glm::dvec3> Barycentrics;
   std::vector<glm::dvec3> Positions;
   std::vector<glm::dvec3> Normals;

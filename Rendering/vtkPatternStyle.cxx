@@ -139,6 +139,22 @@ void vtkPatternStyle::SetOutlineColor(const double color[3])
 }
 
 //------------------------------------------------------------------------------
+void vtkPatternStyle::SetFeatureArrayName(const std::string& name)
+{
+  if (this->FeatureArrayName != name)
+  {
+    this->FeatureArrayName = name;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPatternStyle::GetFeatureArrayName()
+{
+  return this->FeatureArrayName;
+}
+
+//------------------------------------------------------------------------------
 double vtkPatternStyle::GetLengthInPixels(double length, int unit)
 {
   return unit == vtkPatternLayer::MILLIMETRES ? length / millimetresPerInch * this->DotsPerInch
@@ -282,6 +298,10 @@ void vtkPatternStyle::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutlineCreaseAngle: " << this->OutlineCreaseAngle << "\n";
   os << indent << "TrackingMode: " << this->TrackingMode << "\n";
   os << indent << "WeightScheme: " << this->WeightScheme << "\n";
+  os << indent << "FeatureSource: " << this->FeatureSource << "\n";
+  os << indent << "FeatureArrayName: " << this->FeatureArrayName << "\n";
+  os << indent << "LockRotation: " << this->LockRotation << "\n";
+  os << indent << "LockScale: " << this->LockScale << "\n";
   os << indent << "SamplesPerPatch: " << this->SamplesPerPatch << "\n";
   os << indent << "Layers: " << this->Layers.size() << "\n";
   for (const auto& layer : this->Layers)

@@ -55,12 +55,26 @@ public:
   };
 
   /** Weights of the samples in the fit of a step. SYMMETRIC: geometric mean of both frames, exact
-   * there and back. CLASSIC: those of the current frame (Breslav et al. 2007). UNWEIGHTED: 1. */
+   * there and back. CLASSIC: those of the current frame (Breslav et al. 2007). UNWEIGHTED: 1.
+   * PERCEPTUAL: as SYMMETRIC, times the strength of the features around the sample, so that the
+   * pattern slides least where sliding is noticed. */
   enum WeightSchemeType
   {
     SYMMETRIC = 0,
     CLASSIC = 1,
-    UNWEIGHTED = 2
+    UNWEIGHTED = 2,
+    PERCEPTUAL = 3
+  };
+
+  /** Features of PERCEPTUAL weights, relative to the mean of the patch; every sample counts at
+   * least 1 % of that. CURVATURE: how much the normals around the sample vary, when samples are
+   * made. TONE: how much the light's tone varies around it, by the directions of the lights that
+   * are on, without their cones and attenuation. ARRAY: FeatureArrayName. */
+  enum FeatureSourceType
+  {
+    CURVATURE = 0,
+    TONE = 1,
+    ARRAY = 2
   };
 
   ///@{
@@ -152,8 +166,32 @@ public:
 
   ///@{
   /** Weights of the samples, one of WeightSchemeType; default SYMMETRIC. */
-  vtkSetClampMacro(WeightScheme, int, SYMMETRIC, UNWEIGHTED);
+  vtkSetClampMacro(WeightScheme, int, SYMMETRIC, PERCEPTUAL);
   vtkGetMacro(WeightScheme, int);
+  ///@}
+
+  ///@{
+  /** Features for PERCEPTUAL, one of FeatureSourceType; default CURVATURE. */
+  vtkSetClampMacro(FeatureSource, int, CURVATURE, ARRAY);
+  vtkGetMacro(FeatureSource, int);
+  ///@}
+
+  ///@{
+  /** Point or else cell array with one component for ARRAY: finite numbers of 0 or more, in any
+   * unit. An error names an array that is not so; weights are then SYMMETRIC. Default empty. */
+  virtual void SetFeatureArrayName(const std::string& name);
+  virtual std::string GetFeatureArrayName();
+  ///@}
+
+  ///@{
+  /** Whether the pattern keeps its direction in the image, its size in the image, whatever the
+   * surface does; it still follows the surface's place. Both off by default. */
+  vtkSetMacro(LockRotation, bool);
+  vtkGetMacro(LockRotation, bool);
+  vtkBooleanMacro(LockRotation, bool);
+  vtkSetMacro(LockScale, bool);
+  vtkGetMacro(LockScale, bool);
+  vtkBooleanMacro(LockScale, bool);
   ///@}
 
   ///@{
@@ -224,6 +262,10 @@ private:
   double OutlineCreaseAngle = 40.0;
   int TrackingMode = TRACKED;
   int WeightScheme = SYMMETRIC;
+  int FeatureSource = CURVATURE;
+  std::string FeatureArrayName;
+  bool LockRotation = false;
+  bool LockScale = false;
   int SamplesPerPatch = 500;
   double PixelScale = 1.0;
 };

@@ -18,7 +18,11 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
+#include <limits>
+#include <stdexcept>
+#include <utility>
 
 vtkStandardNewMacro(vtkPatternViewContext);
 
@@ -35,21 +39,42 @@ vtkInformationObjectBaseKey* ContextKey()
   return key;
 }
 
-hachure::TrackerOptions OptionsOf(vtkPatternStyle* style)
+// Time of a data set, not a number where it has none.
+double DataTimeOf(vtkDataObject* input)
 {
-  hachure::TrackerOptions options;
-  switch (style->GetWeightScheme())
+  vtkInformation* information = input->GetInformation();
+  return information->Has(vtkDataObject::DATA_TIME_STEP())
+    ? information->Get(vtkDataObject::DATA_TIME_STEP())
+    : std::numeric_limits<double>::quiet_NaN();
+}
+
+// Time that has passed since the last advance, by the data's clock where both frames have one.
+double TimePassed(const vtkPatternViewContext::Track& track)
+{
+  const double data = DataTimeOf(track.Mapper->GetInputDataObject(0, 0)) - track.DataTime;
+  return std::isfinite(data) ? data : track.Mapper->GetAnimationTime() - track.AnimationTime;
+}
+
+// Gives a tracker the present samples of a surface. Where the velocity of those before is known,
+// the pattern first follows them to where they are now.
+void HandOver(const vtkPatternViewContext::Track& track, const hachure::TrackedSamples& samples,
+  const hachure::ViewProjection& view, hachure::PatternTracker& tracker)
+{
+  const std::size_t count = track.Before.Positions.size();
+  const double passed = TimePassed(track);
+  if (count > 0 && track.VelocityBefore.size() == 3 * count && passed != 0.0)
   {
-    case vtkPatternStyle::CLASSIC:
-      options.scheme = hachure::WeightScheme::Classic;
-      break;
-    case vtkPatternStyle::UNWEIGHTED:
-      options.scheme = hachure::WeightScheme::Unweighted;
-      break;
-    default:
-      options.scheme = hachure::WeightScheme::Symmetric;
+    std::vector<glm::dvec3> carried = track.Before.Positions;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double* velocity = &track.VelocityBefore[3 * i];
+      carried[i] += passed * glm::dvec3(velocity[0], velocity[1], velocity[2]);
+    }
+    tracker.advance({ carried, track.Before.Normals, track.Before.Patches,
+                      track.Before.PatchSpacing, track.FeaturesBefore },
+      view);
   }
-  return options;
+  tracker.replaceSamples(samples);
 }
 
 // Whoever takes a screenshot hands back cameras that have lost their last digits.
@@ -74,6 +99,25 @@ bool NearlyEqual(
 
 vtkPatternViewContext::vtkPatternViewContext() = default;
 vtkPatternViewContext::~vtkPatternViewContext() = default;
+
+hachure::TrackerOptions vtkPatternViewContext::OptionsOf(vtkPatternStyle* style)
+{
+  hachure::TrackerOptions options;
+  switch (style->GetWeightScheme())
+  {
+    case vtkPatternStyle::CLASSIC:
+      options.scheme = hachure::WeightScheme::Classic;
+      break;
+    case vtkPatternStyle::UNWEIGHTED:
+      options.scheme = hachure::WeightScheme::Unweighted;
+      break;
+    default: // perceptual weights are symmetric ones of samples with features
+      options.scheme = hachure::WeightScheme::Symmetric;
+  }
+  options.lockRotation = style->GetLockRotation();
+  options.lockScale = style->GetLockScale();
+  return options;
+}
 
 vtkPatternViewContext* vtkPatternViewContext::Find(vtkRenderer* renderer)
 {
@@ -166,7 +210,8 @@ vtkPatternViewContext::Track* vtkPatternViewContext::Advance(
   return track;
 }
 
-void vtkPatternViewContext::Predict(Track& track, const vtkPatternViewport& viewport, bool lookOn)
+// Returns true where the samples have changed.
+bool vtkPatternViewContext::UpdateSamples(Track& track)
 {
   vtkPatternStyle* style = track.Mapper->GetStyle();
   vtkPatternSamples::Options options;
@@ -177,13 +222,50 @@ void vtkPatternViewContext::Predict(Track& track, const vtkPatternViewport& view
     options.PatchArrayName = patches.GetArrayName();
     options.PatchHash = patches.GetHash();
   }
-  const bool changed = track.Samples.Update(track.Mapper->GetInputDataObject(0, 0), options);
-  const hachure::TrackedSamples samples = track.Samples.Tracked();
+  const std::uint64_t known = track.Samples.GetSetVersion();
+  vtkPatternSamples::Surface replaced;
+  const bool changed =
+    track.Samples.Update(track.Mapper->GetInputDataObject(0, 0), options, &replaced);
+  if (track.Samples.GetSetVersion() != known && known == track.SetVersion)
+  {
+    track.Before = std::move(replaced);
+    track.VelocityBefore = std::move(track.Velocity.Numbers);
+    track.FeaturesBefore = track.Features.GetFactors();
+  }
+  track.Problem.clear();
+  const std::string velocity = track.Mapper->GetVelocityArrayName();
+  try
+  {
+    if (velocity.empty())
+    {
+      track.Velocity = vtkPatternSamples::Values();
+    }
+    else
+    {
+      track.Samples.Read(
+        "velocity", velocity, 3, vtkPatternSamples::Association::Points, track.Velocity);
+    }
+  }
+  catch (const std::invalid_argument& problem)
+  {
+    track.Problem = problem.what();
+    track.Velocity = vtkPatternSamples::Values();
+  }
+  return changed;
+}
+
+void vtkPatternViewContext::Predict(Track& track, const vtkPatternViewport& viewport, bool lookOn)
+{
+  vtkPatternStyle* style = track.Mapper->GetStyle();
+  const bool changed = this->UpdateSamples(track);
+  hachure::TrackedSamples samples = track.Samples.Tracked();
   if (samples.positions.empty())
   {
     track.Frames.assign(1, hachure::PatternFrame());
     return;
   }
+  samples.features =
+    track.Features.Update(style, track.Samples, this->Renderer, track.Actor, track.Problem);
   const hachure::ViewProjection view = viewport.View(this->Renderer, track.Actor);
   if (style->GetTrackingMode() == vtkPatternStyle::ANCHORED)
   {
@@ -193,15 +275,12 @@ void vtkPatternViewContext::Predict(Track& track, const vtkPatternViewport& view
   const bool stereo = this->Renderer->GetRenderWindow()->GetStereoRender() != 0;
   if (lookOn && !track.Tracker.drawn().empty())
   {
-    const auto drawn = track.Tracker.drawn();
-    track.Frames = !changed && NearlyEqual(view, track.View, sameTileTolerance)
-      ? std::vector<hachure::PatternFrame>(drawn.begin(), drawn.end())
-      : track.Tracker.preview(samples, view);
+    this->LookOn(track, samples, view, changed);
     return;
   }
   if (track.Frame != this->FrameNumber)
   {
-    this->AdvanceTracker(track, view, changed);
+    this->AdvanceTracker(track, samples, view, changed);
   }
   if (stereo)
   {
@@ -213,25 +292,50 @@ void vtkPatternViewContext::Predict(Track& track, const vtkPatternViewport& view
   track.Frames.assign(drawn.begin(), drawn.end());
 }
 
-void vtkPatternViewContext::AdvanceTracker(
-  Track& track, const hachure::ViewProjection& view, bool changed)
+// What an advance would give.
+void vtkPatternViewContext::LookOn(Track& track, const hachure::TrackedSamples& samples,
+  const hachure::ViewProjection& view, bool changed)
+{
+  const bool replaced = track.SetVersion != track.Samples.GetSetVersion();
+  if (!changed && !replaced && NearlyEqual(view, track.View, sameTileTolerance))
+  {
+    const auto drawn = track.Tracker.drawn();
+    track.Frames.assign(drawn.begin(), drawn.end());
+    return;
+  }
+  hachure::PatternTracker copy(track.Tracker);
+  if (replaced)
+  {
+    HandOver(track, samples, view, copy);
+  }
+  track.Frames = copy.preview(samples, view);
+}
+
+void vtkPatternViewContext::AdvanceTracker(Track& track, const hachure::TrackedSamples& samples,
+  const hachure::ViewProjection& view, bool changed)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
   const std::vector<std::uint8_t> visibility = track.Visibility.Read(window);
-  const hachure::TrackedSamples samples = track.Samples.Tracked();
-  if (track.SetVersion != track.Samples.GetSetVersion())
-  {
-    track.Tracker.replaceSamples(samples);
-    track.SetVersion = track.Samples.GetSetVersion();
-  }
-  else if (!visibility.empty())
+  const bool replaced = track.SetVersion != track.Samples.GetSetVersion();
+  track.Tracker.setOptions(vtkPatternViewContext::OptionsOf(track.Mapper->GetStyle()));
+  const std::size_t known = replaced ? track.Before.Positions.size() : samples.positions.size();
+  if (!visibility.empty() && visibility.size() == known)
   {
     track.Tracker.setVisibility(visibility);
   }
-  track.Tracker.setOptions(OptionsOf(track.Mapper->GetStyle()));
-  track.Moved =
-    changed || track.Tracker.drawn().empty() || !NearlyEqual(view, track.View, sameViewTolerance);
+  if (replaced)
+  {
+    HandOver(track, samples, view, track.Tracker);
+    track.SetVersion = track.Samples.GetSetVersion();
+    track.Before = vtkPatternSamples::Surface();
+    track.VelocityBefore = {};
+    track.FeaturesBefore = {};
+  }
+  track.Moved = changed || replaced || track.Tracker.drawn().empty() ||
+    !NearlyEqual(view, track.View, sameViewTolerance);
   track.Frame = this->FrameNumber;
+  track.DataTime = DataTimeOf(track.Mapper->GetInputDataObject(0, 0));
+  track.AnimationTime = track.Mapper->GetAnimationTime();
   if (track.Moved)
   {
     track.Tracker.advance(samples, view);

@@ -16,16 +16,20 @@
 
 #include "PatternTracker.h"
 #include "vtkObject.h"
+#include "vtkPatternFeatures.h"
 #include "vtkPatternSamples.h"
 #include "vtkPatternVisibility.h"
 #include "vtkPatternWindowResources.h"
 #include "vtkWeakPointer.h"
 
+#include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkActor;
 class vtkPatternMapper;
+class vtkPatternStyle;
 class vtkRenderer;
 struct vtkPatternViewport;
 
@@ -51,9 +55,19 @@ public:
     unsigned long Frame = 0; // the frame of the last advance
     bool Moved = true;       // that advance saw another view or surface than the one before
     vtkPatternVisibility Visibility;
+    vtkPatternFeatures Features;
+    vtkPatternSamples::Values Velocity; // of the samples, where an array is named
+    vtkPatternSamples::Surface Before;  // samples that the tracker knows and that were replaced
+    std::vector<double> VelocityBefore; // theirs, and their features
+    std::vector<double> FeaturesBefore;
+    double DataTime = std::numeric_limits<double>::quiet_NaN(); // of the last advance
+    double AnimationTime = 0.0;
     std::vector<hachure::PatternFrame> Frames; // to draw
+    std::string Problem; // with an array of the input, empty where there is none
   };
 
+  /// How a style wants its patterns tracked.
+  static hachure::TrackerOptions OptionsOf(vtkPatternStyle* style);
   /// The track of an object; `lowDetail` for a stand-in that only looks on.
   Track* Advance(
     vtkPatternMapper* mapper, vtkActor* actor, const vtkPatternViewport& viewport, bool lowDetail);
@@ -71,7 +85,11 @@ private:
   void StartFrame();
   void EndFrame();
   void Predict(Track& track, const vtkPatternViewport& viewport, bool lookOn);
-  void AdvanceTracker(Track& track, const hachure::ViewProjection& view, bool changed);
+  bool UpdateSamples(Track& track);
+  void LookOn(Track& track, const hachure::TrackedSamples& samples,
+    const hachure::ViewProjection& view, bool changed);
+  void AdvanceTracker(Track& track, const hachure::TrackedSamples& samples,
+    const hachure::ViewProjection& view, bool changed);
 
   vtkRenderer* Renderer = nullptr; // owns this object
   std::vector<std::unique_ptr<Track>> Tracks;

@@ -113,6 +113,10 @@ def test_every_parameter_survives():
     style.SetOutlineCreaseAngle(33)
     style.SetTrackingMode(style.ANCHORED)
     style.SetWeightScheme(style.CLASSIC)
+    style.SetFeatureSource(style.TONE)
+    style.SetFeatureArrayName("strength")
+    style.LockRotationOn()
+    style.LockScaleOn()
     style.SetSamplesPerPatch(321)
     style.SetPixelScale(2)
 

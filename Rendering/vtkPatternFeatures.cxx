@@ -141,7 +141,7 @@ const std::vector<double>& vtkPatternFeatures::Update(vtkPatternStyle* style,
     this->UpdateNeighbours(samples);
     this->Factors = hachure::featureFactors(
       hachure::normalVariation(tracked.normals, this->Neighbours), tracked.patches, flat);
-    this->Neighbours = {};
+    this->Neighbours = std::vector<hachure::SampleNeighbours>(); // gives its memory back
     this->NeighbourVersion = 0;
   }
   return this->Factors;

@@ -113,6 +113,11 @@ void vtkPatternSamples::Read(const std::string& role, const std::string& name, i
   const std::string expected = std::to_string(components) +
     (components == 1 ? " component" : " components") + " for every point" +
     (where == Association::PointsOrCells ? " or cell" : "");
+  const auto refuse = [&](const char* what, const std::string& found)
+  {
+    throw std::invalid_argument(
+      role + ": " + what + " '" + name + "'" + found + ", expected " + expected);
+  };
   struct Source
   {
     vtkDataArray* Array;
@@ -130,13 +135,12 @@ void vtkPatternSamples::Read(const std::string& role, const std::string& name, i
     const bool used = block.Data->GetNumberOfPolys() > 0 || block.Data->GetNumberOfStrips() > 0;
     if (used && !source.Array)
     {
-      throw std::invalid_argument(role + ": no array '" + name + "', expected " + expected);
+      refuse("no array", "");
     }
     if (used && source.Array->GetNumberOfComponents() != components)
     {
-      throw std::invalid_argument(role + ": array '" + name + "' has " +
-        std::to_string(source.Array->GetNumberOfComponents()) + " components, expected " +
-        expected);
+      refuse(
+        "array", " has " + std::to_string(source.Array->GetNumberOfComponents()) + " components");
     }
     stamp = Mix(stamp, source.Array ? source.Array->GetMTime() : 0);
     sources.push_back(source);
@@ -211,6 +215,13 @@ void vtkPatternSamples::Sample(vtkDataObject* input, const Options& options)
     return;
   }
 
+  const auto size = static_cast<std::size_t>(count);
+  this->SampleBlock.reserve(size);
+  this->SampleCorners.reserve(size);
+  this->SampleCell.reserve(size);
+  this->Barycentrics.reserve(size);
+  this->Patches.reserve(size);
+  this->Orientation.reserve(size);
   for (vtkIdType i = 0; i < count; ++i)
   {
     const auto flatIndex = static_cast<unsigned int>(blockIds->GetComponent(i, 0));

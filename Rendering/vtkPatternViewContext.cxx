@@ -328,8 +328,8 @@ void vtkPatternViewContext::AdvanceTracker(Track& track, const hachure::TrackedS
     HandOver(track, samples, view, track.Tracker);
     track.SetVersion = track.Samples.GetSetVersion();
     track.Before = vtkPatternSamples::Surface();
-    track.VelocityBefore = {};
-    track.FeaturesBefore = {};
+    track.VelocityBefore = std::vector<double>();
+    track.FeaturesBefore = std::vector<double>();
   }
   track.Moved = changed || replaced || track.Tracker.drawn().empty() ||
     !NearlyEqual(view, track.View, sameViewTolerance);

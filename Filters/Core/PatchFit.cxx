@@ -49,7 +49,7 @@ inline Lanes operator*(const Lanes& a, const Lanes& b)
 
 struct LaneSums
 {
-  Lanes weight = {}, previousX = {}, previousY = {}, currentX = {}, currentY = {};
+  Lanes weight = {}, xBefore = {}, yBefore = {}, xAfter = {}, yAfter = {};
   Lanes dot = {}, cross = {}, previousSquared = {}, currentSquared = {};
   Lanes previousWeight = {}, currentWeight = {};
 };
@@ -197,10 +197,10 @@ void addSums(const SampleRange& range, const SimilarityMoments& moments, LaneSum
     const Lanes wcx = w * cx;
     const Lanes wcy = w * cy;
     sum.weight = sum.weight + w;
-    sum.previousX = sum.previousX + wpx;
-    sum.previousY = sum.previousY + wpy;
-    sum.currentX = sum.currentX + wcx;
-    sum.currentY = sum.currentY + wcy;
+    sum.xBefore = sum.xBefore + wpx;
+    sum.yBefore = sum.yBefore + wpy;
+    sum.xAfter = sum.xAfter + wcx;
+    sum.yAfter = sum.yAfter + wcy;
     sum.dot = sum.dot + (wpx * cx + wpy * cy);
     sum.cross = sum.cross + (wpx * cy - wpy * cx);
     sum.previousSquared = sum.previousSquared + (wpx * px + wpy * py);
@@ -234,8 +234,8 @@ SimilarityMoments momentsOf(const LaneSums& sums)
 {
   SimilarityMoments moments;
   moments.weight = total(sums.weight);
-  moments.previous = { total(sums.previousX), total(sums.previousY) };
-  moments.current = { total(sums.currentX), total(sums.currentY) };
+  moments.previous = { total(sums.xBefore), total(sums.yBefore) };
+  moments.current = { total(sums.xAfter), total(sums.yAfter) };
   moments.dot = total(sums.dot);
   moments.cross = total(sums.cross);
   moments.previousSquared = total(sums.previousSquared);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatternPresets.h"
 
+#include "preset_cmyk.h"
 #include "preset_cross_hatch.h"
 #include "preset_halftone.h"
 #include "preset_hatch.h"
@@ -18,6 +19,7 @@ const std::vector<Preset>& presets()
     { "hatch", preset_hatch },
     { "cross-hatch", preset_cross_hatch },
     { "halftone", preset_halftone },
+    { "cmyk", preset_cmyk },
     { "painterly", preset_painterly },
     { "paper", preset_paper },
   };

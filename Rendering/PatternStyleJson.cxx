@@ -47,8 +47,9 @@ const std::vector<LayerType>& layerTypes()
 void describeTone(StyleArchive& archive, vtkPatternTone* tone)
 {
   using Tone = vtkPatternTone;
-  archive.choice(
-    "source", tone, &Tone::GetSource, &Tone::SetSource, { "lit", "litColor", "array", "constant" });
+  archive.choice("source", tone, &Tone::GetSource, &Tone::SetSource,
+    { "lit", "litColor", "array", "constant", "light", "highlight", "luminance", "cyan", "magenta",
+      "yellow", "black" });
   archive.text("arrayName", tone, &Tone::GetArrayName, &Tone::SetArrayName);
   archive.choice("arrayAssociation", tone, &Tone::GetArrayAssociation, &Tone::SetArrayAssociation,
     { "pointsThenCells", "points", "cells" });
@@ -60,6 +61,19 @@ void describeTone(StyleArchive& archive, vtkPatternTone* tone)
   archive.number("gamma", tone, &Tone::GetGamma, &Tone::SetGamma,
     { tone->GetGammaMinValue(), tone->GetGammaMaxValue() });
   archive.boolean("invert", tone, &Tone::GetInvert, &Tone::SetInvert);
+  archive.choice(
+    "remap", tone, &Tone::GetRemap, &Tone::SetRemap, { "none", "steps", "smoothstep" });
+  archive.integer("steps", tone, &Tone::GetSteps, &Tone::SetSteps,
+    { static_cast<double>(tone->GetStepsMinValue()),
+      static_cast<double>(tone->GetStepsMaxValue()) });
+  archive.pair("remapRange", tone, &Tone::GetRemapRange, &Tone::SetRemapRange);
+  archive.integer("lightIndex", tone, &Tone::GetLightIndex, &Tone::SetLightIndex,
+    { static_cast<double>(tone->GetLightIndexMinValue()),
+      static_cast<double>(tone->GetLightIndexMaxValue()) });
+  archive.number("highlightPower", tone, &Tone::GetHighlightPower, &Tone::SetHighlightPower,
+    { tone->GetHighlightPowerMinValue(), tone->GetHighlightPowerMaxValue() });
+  archive.number("blackGeneration", tone, &Tone::GetBlackGeneration, &Tone::SetBlackGeneration,
+    { tone->GetBlackGenerationMinValue(), tone->GetBlackGenerationMaxValue() });
 }
 
 //------------------------------------------------------------------------------

@@ -16,8 +16,8 @@ struct vtkPatternAttributes
   enum Image
   {
     COLOR,          ///< display-referred colour; alpha: 1 - half drawn edge
-    TONE,           ///< tones of three channels; alpha: 0 without data
-    NORMAL,         ///< normal in view coordinates, packed into one float
+    TONE,           ///< tones of four channels
+    NORMAL,         ///< normal in view coordinates in one float, negative without data
     PATCH,          ///< numbers and weights of up to four patches
     POINT,          ///< model coordinates; w: packed normal of the triangle
     TEXTURE,        ///< texture coordinates; z: 1 where there are some

@@ -12,7 +12,9 @@
 #include "PatternField.h"
 #include "PatternLayer.h"
 #include "PatternPatches.h"
+#include "ProcessInks.h"
 #include "SurfacePattern.h"
+#include "ToneCurve.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternLayer.h"
 #include "vtkPatternPatches.h"
@@ -75,6 +77,32 @@ const char* BlendFunction(int mode)
       return "blendScreen";
     default:
       return "blendOver";
+  }
+}
+
+// What a layer's shader text takes its tone from.
+std::string ToneExpression(vtkPatternTone* tone, int channel)
+{
+  if (tone->IsSeparation())
+  {
+    const char* const inks = "xyzw";
+    return std::string("processInks(hachureSurfaceHere, hachureCurve@.w).") +
+      inks[tone->GetSource() - vtkPatternTone::CYAN];
+  }
+  return channel < 0 ? "hachureCurve@.z" : "tones[" + std::to_string(channel) + "]";
+}
+
+glm::vec3 Remap(vtkPatternTone* tone)
+{
+  switch (tone->GetRemap())
+  {
+    case vtkPatternTone::STEPS:
+      return glm::vec3(hachure::glsl::remapSteps, static_cast<float>(tone->GetSteps()), 0.0f);
+    case vtkPatternTone::SMOOTHSTEP:
+      return glm::vec3(hachure::glsl::remapSmoothStep, static_cast<float>(tone->GetRemapRange()[0]),
+        static_cast<float>(tone->GetRemapRange()[1]));
+    default:
+      return glm::vec3(0.0f);
   }
 }
 } // namespace
@@ -161,8 +189,7 @@ void vtkPatternCompositor::UpdateText()
   {
     const Drawn& layer = this->Layers[i];
     const std::string number = std::to_string(i);
-    const std::string tone =
-      layer.Channel < 0 ? "hachureCurve@.z" : "tones[" + std::to_string(layer.Channel) + "]";
+    const std::string tone = ToneExpression(layer.Layer->GetTone(), layer.Channel);
     std::string declaration = layer.Painter->GetDeclarations(this->PatchCount > 1) + PatternLayer;
     vtkShaderProgram::Substitute(declaration, "TONE", tone);
     vtkShaderProgram::Substitute(declaration, "BLEND", BlendFunction(layer.Layer->GetBlendMode()));
@@ -176,8 +203,8 @@ void vtkPatternCompositor::UpdateText()
     declarations += declaration;
     calls += "  color = hachureLayer" + number + "(color, position, tones);\n";
   }
-  std::string text =
-    std::string(Ink) + Mix + Lod + PatternField + SurfacePattern + PatchBlend + PatternCompose;
+  std::string text = std::string(Ink) + Mix + Lod + PatternField + SurfacePattern + PatchBlend +
+    ToneCurve + ProcessInks + PatternCompose;
   vtkShaderProgram::Substitute(
     text, "//Hachure::Patches::Dec", this->GetAttributes().Patches ? PatternPatches : "");
   vtkShaderProgram::Substitute(text, "//Hachure::Layers::Dec", declarations);
@@ -256,9 +283,11 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
       static_cast<float>(drawn.Layer->GetOpacity()) };
     program->SetUniform4f(("hachureInk" + number).c_str(), ink);
     vtkPatternTone* tone = drawn.Layer->GetTone();
-    const float curve[3] = { static_cast<float>(tone->GetGamma()), tone->GetInvert() ? 1.0f : 0.0f,
-      static_cast<float>(tone->GetConstant()) };
-    program->SetUniform3f(("hachureCurve" + number).c_str(), curve);
+    const float curve[4] = { static_cast<float>(tone->GetGamma()), tone->GetInvert() ? 1.0f : 0.0f,
+      static_cast<float>(tone->GetConstant()), static_cast<float>(tone->GetBlackGeneration()) };
+    program->SetUniform4f(("hachureCurve" + number).c_str(), curve);
+    const glm::vec3 remap = Remap(tone);
+    program->SetUniform3f(("hachureRemap" + number).c_str(), &remap.x);
     drawn.Painter->SetUniforms(program, number, frame, static_cast<double>(row));
     row += drawn.Painter->GetTableRows().size() / tableTones;
   }

@@ -21,6 +21,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPatternBlocks.h"
 #include "vtkPatternCompositor.h"
+#include "vtkPatternLights.h"
 #include "vtkPatternMapperHelper.h"
 #include "vtkPatternPatches.h"
 #include "vtkPatternScreenPass.h"
@@ -59,6 +60,7 @@ struct vtkPatternMapper::WindowPart
 struct vtkPatternMapper::Internals
 {
   vtkPatternToneChannels Channels;
+  vtkPatternLights Lights; // of the renderer that draws now
   vtkPatternPatches Patches;
   vtkTimeStamp ChannelTime;
   bool UsesTextureCoordinates = false; // once needed, they stay in the vertex buffers
@@ -68,6 +70,7 @@ struct vtkPatternMapper::Internals
   std::vector<double> KeyTimes;
   std::string ChannelError;
   std::string ReportedStyle;
+  std::map<vtkRenderer*, std::string> ReportedLights; // renderers may have different ones
   std::string ReportedDevice;
   std::string ReportedNote;
   std::string ReportedProblem;
@@ -487,6 +490,10 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   this->UpdateTextureCoordinates(
     part.Compositor.GetAttributes().Has(vtkPatternAttributes::TEXTURE));
   this->Report(error, this->Internal->ReportedStyle);
+  this->Internal->Lights.Collect(renderer);
+  this->Report(
+    this->Internal->Channels.MissingLight(static_cast<int>(this->Internal->Lights.GetCount())),
+    this->Internal->ReportedLights[renderer]);
   const std::string note = part.Compositor.GetNote();
   if (!note.empty() && note != this->Internal->ReportedNote)
   {
@@ -518,10 +525,11 @@ void vtkPatternMapper::RenderForward(Drawing& drawing)
   const std::array<double, 3> nanColor = this->GetNanColor();
   vtkPatternShaderInjector* injector = this->Internal->ForwardInjector;
   injector->Configure(vtkPatternShaderInjector::FORWARD, this->Internal->Channels,
-    this->Style->GetPaperSource() == vtkPatternStyle::FLAT, drawing.Part.Compositor.GetAttributes(),
-    drawing.Part.Compositor.GetShaderText(true));
+    this->Internal->Lights.GetCount(), this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
+    drawing.Part.Compositor.GetAttributes(), drawing.Part.Compositor.GetShaderText(true));
   injector->UniformSetter = [&](vtkShaderProgram* program)
   {
+    this->Internal->Lights.SetUniforms(program, this->Internal->Channels);
     drawing.Part.Compositor.SetUniforms(
       program, this->Style, drawing.Viewport, nanColor.data(), drawing.Track->Frames[0]);
   };
@@ -586,8 +594,10 @@ void vtkPatternMapper::DrawAttributes(Drawing& drawing)
 {
   vtkPatternShaderInjector* injector = this->Internal->AttributeInjector;
   injector->Configure(vtkPatternShaderInjector::ATTRIBUTES, this->Internal->Channels,
-    this->Style->GetPaperSource() == vtkPatternStyle::FLAT, drawing.Part.Compositor.GetAttributes(),
-    std::string());
+    this->Internal->Lights.GetCount(), this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
+    drawing.Part.Compositor.GetAttributes(), std::string());
+  injector->UniformSetter = [this](vtkShaderProgram* program)
+  { this->Internal->Lights.SetUniforms(program, this->Internal->Channels); };
 
   vtkOpenGLState* state = drawing.Window->GetState();
   state->PushFramebufferBindings();
@@ -612,6 +622,7 @@ void vtkPatternMapper::DrawAttributes(Drawing& drawing)
     this->Superclass::Render(drawing.Renderer, drawing.Actor);
     this->Stage = DrawStage::Stock;
   }
+  injector->UniformSetter = nullptr;
   state->PopFramebufferBindings();
 }
 

@@ -25,10 +25,11 @@
  * velocities 24 more.
  *
  * Errors, each reported once until something changes: a tone array that is missing or not numeric
- * or has too few components, an empty tone range, more than three different tones, a layer that
- * cannot be drawn. What can be drawn still is; surface without data is drawn in the lookup table's
- * NaN colour (grey 0.75 without scalar colouring), without ink. Without an input there are no
- * bounds, so that renderers skip the actor; drawn all the same, the mapper says so.
+ * or has too few components, an empty tone range, a light that the renderer lacks, more than four
+ * different tones, a layer that cannot be drawn. What can be drawn still is; surface without data
+ * is drawn in the lookup table's NaN colour (grey 0.75 without scalar colouring), without ink.
+ * Without an input there are no bounds, so that renderers skip the actor; drawn all the same, the
+ * mapper says so.
  */
 #ifndef vtkPatternMapper_h
 #define vtkPatternMapper_h

@@ -4,10 +4,15 @@
 
 #include "PatchBlend.h"
 #include "PatternSurface.h"
+#include "SurfaceLight.h"
+#include "vtkActor.h"
 #include "vtkObjectFactory.h"
 #include "vtkPatternShaderText.h"
 #include "vtkPatternTone.h"
+#include "vtkProperty.h"
 #include "vtkShaderProgram.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkPatternShaderInjector);
 
@@ -27,6 +32,7 @@ std::string ForChannel(const std::string& name, std::size_t channel)
   vtkShaderProgram::Substitute(text, "ToneKGS", "Tone" + number + "GS");
   vtkShaderProgram::Substitute(text, "CellToneK", "CellTone" + number);
   vtkShaderProgram::Substitute(text, "ArrayK", "Array" + number);
+  vtkShaderProgram::Substitute(text, "PowerK", "Power" + number);
   vtkShaderProgram::Substitute(text, "[K]", "[" + number + "]");
   return text;
 }
@@ -37,15 +43,19 @@ const char* const output = "//Hachure::Output";
 } // namespace
 
 void vtkPatternShaderInjector::Configure(StageType stage, const vtkPatternToneChannels& channels,
-  bool flatPaper, const vtkPatternAttributes& attributes, const std::string& composeText)
+  std::size_t lights, bool flatPaper, const vtkPatternAttributes& attributes,
+  const std::string& composeText)
 {
+  const std::size_t used = channels.UseLights() ? lights : 0;
   if (this->ConfigureTime.GetMTime() > 0 && stage == this->Stage && channels == this->Channels &&
-    flatPaper == this->FlatPaper && attributes == this->Needed && composeText == this->ComposeText)
+    used == this->Lights && flatPaper == this->FlatPaper && attributes == this->Needed &&
+    composeText == this->ComposeText)
   {
     return;
   }
   this->Stage = stage;
   this->Channels = channels;
+  this->Lights = used;
   this->FlatPaper = flatPaper;
   this->Needed = attributes;
   this->ComposeText = composeText;
@@ -144,6 +154,7 @@ bool vtkPatternShaderInjector::PreReplaceShaderValues(std::string& vertexShader,
   {
     fragmentDec += (this->Stage == ATTRIBUTES ? PatchBlend : "") + Section("PatchFSDec");
   }
+  fragmentDec += this->LightsDeclaration();
   const auto& channels = this->Channels.Get();
   for (std::size_t i = 0; i < channels.size(); ++i)
   {
@@ -184,7 +195,41 @@ bool vtkPatternShaderInjector::PreReplaceShaderValues(std::string& vertexShader,
   return placed;
 }
 
-std::string vtkPatternShaderInjector::ToneText() const
+std::string vtkPatternShaderInjector::LightsDeclaration() const
+{
+  if (!this->Channels.UseLights())
+  {
+    return {};
+  }
+  std::string text = SurfaceLight + Section("LightsDec");
+  // Arrays have at least one element.
+  const std::size_t declared = std::max<std::size_t>(this->Lights, 1);
+  vtkShaderProgram::Substitute(text, "LIGHTS", std::to_string(declared));
+  const auto& channels = this->Channels.Get();
+  for (std::size_t i = 0; i < channels.size(); ++i)
+  {
+    if (channels[i].Source == vtkPatternTone::HIGHLIGHT)
+    {
+      text += ForChannel("HighlightDec", i);
+    }
+  }
+  return text;
+}
+
+std::string vtkPatternShaderInjector::LightText(
+  const std::string& section, std::size_t channel) const
+{
+  const int index = this->Channels.Get()[channel].LightIndex;
+  const auto count = static_cast<int>(this->Lights);
+  const int first = index < 0 || index >= count ? 0 : index;
+  const int last = index < 0 ? count : index >= count ? 0 : index + 1;
+  std::string text = ForChannel(section, channel);
+  vtkShaderProgram::Substitute(text, "FIRST", std::to_string(first));
+  vtkShaderProgram::Substitute(text, "LAST", std::to_string(last));
+  return text;
+}
+
+std::string vtkPatternShaderInjector::ToneText(bool lit, bool lighting) const
 {
   std::string text;
   const auto& channels = this->Channels.Get();
@@ -199,6 +244,17 @@ std::string vtkPatternShaderInjector::ToneText() const
       case vtkPatternTone::LIT_COLOR:
         text += ForChannel("ToneLitColor", i);
         break;
+      case vtkPatternTone::LIGHT:
+        // A surface that takes no light is paper, also as the source LIT has it.
+        text += lit ? this->LightText("ToneLight", i)
+                    : ForChannel(lighting ? "ToneNoLight" : "ToneLit", i);
+        break;
+      case vtkPatternTone::HIGHLIGHT:
+        text += lit ? this->LightText("ToneHighlight", i) : ForChannel("ToneNoHighlight", i);
+        break;
+      case vtkPatternTone::LUMINANCE:
+        text += ForChannel("ToneLuminance", i);
+        break;
       default:
         text += ForChannel("ToneLit", i);
     }
@@ -207,8 +263,10 @@ std::string vtkPatternShaderInjector::ToneText() const
 }
 
 bool vtkPatternShaderInjector::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
+  auto* actor = vtkActor::SafeDownCast(prop);
+  const bool lighting = actor && actor->GetProperty()->GetLighting();
   // How VTK lit the surface shows in what it declared.
   const bool physical = fragmentShader.find("vec3 Lo ") != std::string::npos;
   const bool lit = physical || fragmentShader.find("vec3 diffuse ") != std::string::npos;
@@ -218,7 +276,7 @@ bool vtkPatternShaderInjector::PostReplaceShaderValues(
   const std::string edges = !hasEdges ? "EdgesOff" : blended ? "EdgesBlended" : "EdgesOn";
 
   std::string text = Section(lit ? "NormalLit" : "NormalUnlit") + Section(edges) +
-    Section("ToneStart") + this->ToneText() +
+    Section("ToneStart") + Section("OwnColor") + this->ToneText(lit, lighting) +
     (this->FlatPaper ? Section("FlatPaper") : std::string()) + this->SurfaceValues() +
     (this->Stage == ATTRIBUTES ? Section("Attributes") + this->SurfaceOutputs()
                                : this->SurfaceOutputs() + Section("Forward"));

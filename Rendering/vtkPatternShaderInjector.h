@@ -31,8 +31,8 @@ public:
   };
 
   /// What to inject; a change makes VTK build the shader anew.
-  void Configure(StageType stage, const vtkPatternToneChannels& channels, bool flatPaper,
-    const vtkPatternAttributes& attributes, const std::string& composeText);
+  void Configure(StageType stage, const vtkPatternToneChannels& channels, std::size_t lights,
+    bool flatPaper, const vtkPatternAttributes& attributes, const std::string& composeText);
 
   /// Sets the values of our uniforms whenever a program is used.
   std::function<void(vtkShaderProgram*)> UniformSetter;
@@ -52,7 +52,10 @@ protected:
 
 private:
   bool Place(std::string& shader, const std::string& tag, const std::string& text);
-  std::string ToneText() const;
+  /// lit, lighting: whether VTK lights the surface, and whether its property wants that.
+  std::string ToneText(bool lit, bool lighting) const;
+  std::string LightText(const std::string& section, std::size_t channel) const;
+  std::string LightsDeclaration() const;
   /// The pieces of what the layers need of the surface: sections with this ending.
   std::string SurfaceText(const std::string& ending) const;
   std::string SurfaceValues() const;
@@ -60,6 +63,7 @@ private:
 
   StageType Stage = ATTRIBUTES;
   vtkPatternToneChannels Channels;
+  std::size_t Lights = 0; // of the scene, where a tone follows them
   bool FlatPaper = false;
   vtkPatternAttributes Needed;
   std::string ComposeText;

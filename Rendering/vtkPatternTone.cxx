@@ -35,4 +35,10 @@ void vtkPatternTone::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Constant: " << this->Constant << "\n";
   os << indent << "Gamma: " << this->Gamma << "\n";
   os << indent << "Invert: " << this->Invert << "\n";
+  os << indent << "Remap: " << this->Remap << "\n";
+  os << indent << "Steps: " << this->Steps << "\n";
+  os << indent << "RemapRange: " << this->RemapRange[0] << ", " << this->RemapRange[1] << "\n";
+  os << indent << "LightIndex: " << this->LightIndex << "\n";
+  os << indent << "HighlightPower: " << this->HighlightPower << "\n";
+  os << indent << "BlackGeneration: " << this->BlackGeneration << "\n";
 }

@@ -17,6 +17,16 @@
 
 namespace
 {
+bool FollowsLights(const vtkPatternToneChannel& channel)
+{
+  return channel.Source == vtkPatternTone::LIGHT || channel.Source == vtkPatternTone::HIGHLIGHT;
+}
+
+bool NeedsChannel(vtkPatternTone* tone)
+{
+  return tone->GetSource() != vtkPatternTone::CONSTANT && !tone->IsSeparation();
+}
+
 vtkPatternToneChannel Describe(vtkPatternTone* tone)
 {
   vtkPatternToneChannel channel;
@@ -27,6 +37,14 @@ vtkPatternToneChannel Describe(vtkPatternTone* tone)
     channel.Association = tone->GetArrayAssociation();
     channel.Component = tone->GetComponent();
     channel.Range = { tone->GetRange()[0], tone->GetRange()[1] };
+  }
+  if (FollowsLights(channel))
+  {
+    channel.LightIndex = tone->GetLightIndex();
+  }
+  if (channel.Source == vtkPatternTone::HIGHLIGHT)
+  {
+    channel.HighlightPower = tone->GetHighlightPower();
   }
   return channel;
 }
@@ -102,7 +120,8 @@ bool vtkPatternToneChannel::operator==(const vtkPatternToneChannel& other) const
 {
   return this->Source == other.Source && this->ArrayName == other.ArrayName &&
     this->Association == other.Association && this->Component == other.Component &&
-    this->Range == other.Range && this->OnCells == other.OnCells;
+    this->Range == other.Range && this->OnCells == other.OnCells &&
+    this->LightIndex == other.LightIndex && this->HighlightPower == other.HighlightPower;
 }
 
 void vtkPatternToneChannels::Collect(
@@ -113,7 +132,7 @@ void vtkPatternToneChannels::Collect(
   for (int i = 0; i < style->GetNumberOfLayers(); ++i)
   {
     vtkPatternLayer* layer = style->GetLayer(i);
-    if (!layer->GetEnabled() || layer->GetTone()->GetSource() == vtkPatternTone::CONSTANT ||
+    if (!layer->GetEnabled() || !NeedsChannel(layer->GetTone()) ||
       this->Find(layer->GetTone()) >= 0)
     {
       continue;
@@ -121,7 +140,8 @@ void vtkPatternToneChannels::Collect(
     vtkPatternToneChannel channel = Describe(layer->GetTone());
     if (this->Channels.size() == Maximum)
     {
-      error = "a style may use 3 different tones besides constants; the one of layer " +
+      error =
+        "a style may use 4 different tones besides constants and separations; the one of layer " +
         std::to_string(i) + " is one too many";
       return;
     }
@@ -137,8 +157,30 @@ void vtkPatternToneChannels::Collect(
   }
 }
 
+bool vtkPatternToneChannels::UseLights() const
+{
+  return std::any_of(this->Channels.begin(), this->Channels.end(), FollowsLights);
+}
+
+std::string vtkPatternToneChannels::MissingLight(int lights) const
+{
+  for (const vtkPatternToneChannel& channel : this->Channels)
+  {
+    if (channel.LightIndex >= lights)
+    {
+      return "tone from light " + std::to_string(channel.LightIndex) + ": the renderer has " +
+        std::to_string(lights) + " lights, counted from 0; the surface is drawn without this light";
+    }
+  }
+  return {};
+}
+
 int vtkPatternToneChannels::Find(vtkPatternTone* tone) const
 {
+  if (!NeedsChannel(tone))
+  {
+    return -1;
+  }
   vtkPatternToneChannel wanted = Describe(tone);
   for (std::size_t i = 0; i < this->Channels.size(); ++i)
   {

@@ -18,12 +18,14 @@ class vtkPolyData;
 
 struct vtkPatternToneChannel
 {
-  int Source = 0; // vtkPatternTone::SourceType, never CONSTANT
+  int Source = 0; // vtkPatternTone::SourceType, neither CONSTANT nor a separation
   std::string ArrayName;
   int Association = 0;
   int Component = 0;
   std::array<double, 2> Range = { 0.0, 1.0 };
   bool OnCells = false; // found among the cells' arrays
+  int LightIndex = -1;
+  double HighlightPower = 0.0;
 
   bool operator==(const vtkPatternToneChannel& other) const;
 };
@@ -31,15 +33,18 @@ struct vtkPatternToneChannel
 class vtkPatternToneChannels
 {
 public:
-  /// Channels that fit the attribute image beside the normal.
-  static constexpr std::size_t Maximum = 3;
+  /// Channels that fit the attribute image.
+  static constexpr std::size_t Maximum = 4;
 
   /// Channels of the style's enabled layers. Where an array is missing, not numeric, has too few
   /// components or an empty range, `error` says so and the channel keeps its place without data.
   void Collect(vtkPatternStyle* style, vtkDataObject* input, std::string& error);
 
   const std::vector<vtkPatternToneChannel>& Get() const { return this->Channels; }
-  /// Channel of a tone, or -1 for a constant.
+  bool UseLights() const;
+  /// What is wrong where the scene has this number of lights, empty where nothing is.
+  std::string MissingLight(int lights) const;
+  /// Channel of a tone, or -1 for one that needs none.
   int Find(vtkPatternTone* tone) const;
   bool operator==(const vtkPatternToneChannels& other) const
   {

@@ -30,6 +30,9 @@ using namespace glm;
 #include "Kernels/PatternField.glsl"
 #include "Kernels/SurfacePattern.glsl"
 #include "Kernels/PatchBlend.glsl"
+#include "Kernels/ToneCurve.glsl"
+#include "Kernels/ProcessInks.glsl"
+#include "Kernels/SurfaceLight.glsl"
 // clang-format on
 } // namespace
 } // namespace hachure::glsl

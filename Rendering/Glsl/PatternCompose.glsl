@@ -38,8 +38,15 @@ void hachureSeeTexture(vec3 coordinates, vec4 slopes)
 
 vec3 hachureSurfaceHere = vec3(0.0); // linear colour of the surface, set by hachureCompose
 
-vec3 hachureUnpackNormal(float coded)
+// Without data, normals are packed as negative numbers; see hachurePackNormal.
+bool hachureHasData(float packedNormal)
 {
+  return packedNormal >= 0.0;
+}
+
+vec3 hachureUnpackNormal(float packedNormal)
+{
+  float coded = packedNormal < 0.0 ? -1.0 - packedNormal : packedNormal;
   float x = floor(coded / 4096.0);
   vec2 p = vec2(x, coded - x * 4096.0) / 4095.0 * 2.0 - 1.0;
   vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
@@ -70,12 +77,6 @@ float hachureResponse(float value, float row)
   return texture(hachureToneTables, vec2(tableColumn(value), row)).g;
 }
 
-// Tone after the layer's own curve: gamma, and 1 where light and dark are exchanged.
-float hachureToneCurve(float tone, vec2 curve)
-{
-  return pow(mix(tone, 1.0 - tone, curve.y), curve.x);
-}
-
 // Where a pattern lies, as PatternPlacement.h has it.
 struct HachurePlacement
 {
@@ -90,9 +91,9 @@ struct HachurePlacement
 
 // position: logical pixels; surface: display-referred colour of the surface; tones: per channel,
 // negative where the array has no number. Returns a linear colour.
-vec3 hachureCompose(vec2 position, vec3 surface, vec3 tones)
+vec3 hachureCompose(vec2 position, vec3 surface, vec4 tones)
 {
-  if (min(tones.x, min(tones.y, tones.z)) < 0.0)
+  if (min(min(tones.x, tones.y), min(tones.z, tones.w)) < 0.0)
   {
     return hachureNanColor;
   }

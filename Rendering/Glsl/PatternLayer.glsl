@@ -1,13 +1,14 @@
-// One layer of the stack. '@' is its number, TONE its tone channel or constant, BLEND its mixing
-// function, INKCOLOR its linear colour at the position; hachureCoverage@ comes from the layer's own
-// text.
+// One layer of the stack. '@' is its number, TONE its tone's channel, separation or constant, BLEND
+// its mixing function, INKCOLOR its linear colour at the position; hachureCoverage@ comes from the
+// layer's own text.
 
 uniform vec4 hachureInk@;   // linear colour, opacity
-uniform vec3 hachureCurve@; // gamma, 1 = inverted, constant tone
+uniform vec4 hachureCurve@; // gamma, 1 = inverted, constant tone, black generation
+uniform vec3 hachureRemap@; // see toneCurve
 
-vec3 hachureLayer@(vec3 color, vec2 position, vec3 tones)
+vec3 hachureLayer@(vec3 color, vec2 position, vec4 tones)
 {
-  float tone = hachureToneCurve(TONE, hachureCurve@.xy);
+  float tone = toneCurve(TONE, hachureCurve@.x, hachureCurve@.y, hachureRemap@);
   float coverage = hachureCoverage@(position, tone);
   return BLEND(color, INKCOLOR, hachureInk@.a * coverage);
 }

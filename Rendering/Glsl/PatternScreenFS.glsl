@@ -6,8 +6,8 @@
 in vec2 texCoord;
 
 uniform sampler2D hachureSurfaceColor;  // rgb display-referred colour, a: 1 - half the drawn edge
-uniform sampler2D hachureSurfaceTone;   // rgb tones, a: 0 where the data has no number
-uniform sampler2D hachureSurfaceNormal; // packed normal in view coordinates
+uniform sampler2D hachureSurfaceTone;   // tones of four channels
+uniform sampler2D hachureSurfaceNormal; // packed normal in view coordinates, negative without data
 uniform sampler2D hachureSurfaceDepth;  // window depth, 1 where nothing was drawn
 
 //Hachure::Compose::Dec
@@ -26,8 +26,8 @@ void main()
   {
     discard;
   }
-  vec4 data = texelFetch(hachureSurfaceTone, pixel, 0);
-  vec3 tones = data.a > 0.5 ? data.rgb : vec3(-1.0);
+  bool hasData = hachureHasData(texelFetch(hachureSurfaceNormal, pixel, 0).r);
+  vec4 tones = hasData ? texelFetch(hachureSurfaceTone, pixel, 0) : vec4(-1.0);
   //Hachure::Surface::Impl
   vec3 color = hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), surface.rgb, tones);
   //Hachure::Outline::Impl

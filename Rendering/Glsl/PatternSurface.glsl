@@ -1,5 +1,6 @@
 // What Hachure adds to VTK's own polydata shader, one section per place it is put in.
-// Variables that start with "hachure" are ours; all others are VTK's. K stands for a tone channel.
+// Variables that start with "hachure" are ours; all others are VTK's. K stands for a tone channel,
+// LIGHTS for the number of lights, FIRST and LAST for a range of them.
 
 //Section PointToneVSDec
 in vec2 hachureToneKMC; // x: tone before clamping, y: 1 where the array has a number
@@ -25,6 +26,52 @@ uniform samplerBuffer hachureCellToneK; // per primitive: tone before clamping, 
   hachureTone[K] = hachureLitTone;
 //Section ToneLitColor
   hachureTone[K] = clamp(1.0 - hachureLuma(gl_FragData[0].rgb), 0.0, 1.0);
+//Section ToneLight
+  hachureTone[K] = hachureToneOf(ambientIntensity,
+    diffuseIntensity * hachureDiffuseLight(FIRST, LAST, vertexVC.xyz, normalVCVSOutput));
+//Section ToneNoLight
+  hachureTone[K] = hachureToneOf(ambientIntensity, vec3(0.0));
+//Section ToneHighlight
+  hachureTone[K] = hachureHighlight(FIRST, LAST, vertexVC.xyz, normalVCVSOutput,
+    hachurePowerK > 0.0 ? hachurePowerK : specularPower);
+//Section ToneNoHighlight
+  hachureTone[K] = 0.0;
+//Section ToneLuminance
+  hachureTone[K] = clamp(1.0 - hachureLuma(hachureOwnColor), 0.0, 1.0);
+//Section HighlightDec
+uniform float hachurePowerK; // of the highlight, 0: the surface's own
+//Section LightsDec
+// Every light of the scene, in its order; those that are switched off are black.
+uniform vec4 hachureLightColor[LIGHTS];     // w: 1 = it has a position
+uniform vec4 hachureLightDirection[LIGHTS]; // view coordinates; w: cosine of the cone, -1 without
+uniform vec4 hachureLightPosition[LIGHTS];  // view coordinates; w: exponent of the cone
+uniform vec3 hachureLightAttenuation[LIGHTS];
+
+// Light on a white surface.
+vec3 hachureDiffuseLight(int first, int last, vec3 point, vec3 normal)
+{
+  vec3 sum = vec3(0.0);
+  for (int i = first; i < last; ++i)
+  {
+    vec4 rays = lightRays(point, hachureLightDirection[i], hachureLightPosition[i],
+      hachureLightAttenuation[i], hachureLightColor[i].w);
+    sum += hachureLightColor[i].rgb * diffuseShare(normal, rays);
+  }
+  return sum;
+}
+
+// Strength of the highlights on a white mirror.
+float hachureHighlight(int first, int last, vec3 point, vec3 normal, float power)
+{
+  vec3 sum = vec3(0.0);
+  for (int i = first; i < last; ++i)
+  {
+    vec4 rays = lightRays(point, hachureLightDirection[i], hachureLightPosition[i],
+      hachureLightAttenuation[i], hachureLightColor[i].w);
+    sum += hachureLightColor[i].rgb * highlightShare(normal, rays, point, power);
+  }
+  return clamp(hachureLuma(min(sum, vec3(1.0))), 0.0, 1.0);
+}
 
 //Section PointVSDec
 uniform vec3 hachureCoordScale; // from VTK's vertex buffer to model coordinates
@@ -88,6 +135,11 @@ float hachureLuma(vec3 color)
   return dot(color, vec3(0.2126, 0.7152, 0.0722));
 }
 
+float hachureToneOf(float ambient, vec3 diffuse)
+{
+  return clamp(1.0 - hachureLuma(min(vec3(ambient) + diffuse, vec3(1.0))), 0.0, 1.0);
+}
+
 // Octahedral map of a unit vector, 12 bits a coordinate in one exactly representable float.
 float hachurePackNormal(vec3 n)
 {
@@ -105,8 +157,7 @@ float hachurePackNormal(vec3 n)
   vec3 hachureSurfaceColor = diffuseColor;
   diffuseColor = vec3(diffuseIntensity);
 //Section AfterLightBlinnPhong
-  float hachureLitTone =
-    clamp(1.0 - hachureLuma(min(vec3(ambientIntensity) + diffuse, vec3(1.0))), 0.0, 1.0);
+  float hachureLitTone = hachureToneOf(ambientIntensity, diffuse);
   gl_FragData[0].rgb += diffuse * (hachureSurfaceColor / max(diffuseIntensity, 1e-6) - vec3(1.0));
 //Section BeforeLightPhysical
   // Physically based shading is not linear in the albedo: the surface keeps its colour, and
@@ -129,15 +180,22 @@ float hachurePackNormal(vec3 n)
 //Section EdgesOff
   float hachureEdge = 0.0;
 //Section ToneStart
-  vec3 hachureTone = vec3(0.0);
+  vec4 hachureTone = vec4(0.0);
+//Section OwnColor
+  vec3 hachureOwnColor = diffuseIntensity > 0.0 ? hachureSurfaceColor / diffuseIntensity
+                                                : ambientColor / max(ambientIntensity, 1e-6);
 //Section FlatPaper
-  gl_FragData[0].rgb = hachureSurfaceColor / max(diffuseIntensity, 1e-6);
+  gl_FragData[0].rgb = hachureOwnColor;
 
 //Section Attributes
   gl_FragData[0].a = 1.0 - 0.5 * hachureEdge;
-  bool hachureHasData = min(hachureTone.x, min(hachureTone.y, hachureTone.z)) >= 0.0;
-  gl_FragData[1] = vec4(hachureTone, hachureHasData ? 1.0 : 0.0);
-  gl_FragData[2] = vec4(hachurePackNormal(hachureNormal), 0.0, 0.0, 1.0);
+  float hachureLeastTone =
+    min(min(hachureTone.x, hachureTone.y), min(hachureTone.z, hachureTone.w));
+  float hachureCodedNormal = hachurePackNormal(hachureNormal);
+  gl_FragData[1] = hachureTone;
+  // Where a tone's data has no number, the normal's code is negative.
+  gl_FragData[2] =
+    vec4(hachureLeastTone < 0.0 ? -1.0 - hachureCodedNormal : hachureCodedNormal, 0.0, 0.0, 1.0);
 //Section PatchAttribute
   gl_FragData[IMAGE] = hachurePatchCode;
 //Section PointAttribute

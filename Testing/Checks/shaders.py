@@ -89,7 +89,8 @@ def stack(pieces, kernels):
     pairs = itertools.product(layer_texts(pieces), blends)
     for number, (kind, blend) in enumerate(pairs):
         text = kind + pieces.get("PatternLayer", "")
-        text = text.replace("TONE", "tones[0]" if number % 2 else "hachureCurve@.z")
+        separation = "processInks(hachureSurfaceHere, hachureCurve@.w).x"
+        text = text.replace("TONE", "tones[0]" if number % 2 else separation)
         text = text.replace("INKCOLOR", "hachureInk@.rgb" if number % 2 else "hachureSurfaceHere")
         declarations += text.replace("BLEND", blend).replace("@", str(number))
         calls += "  color = hachureLayer%d(color, position, tones);\n" % number

@@ -25,7 +25,7 @@ empty.Write()
 assert draw("--help").stdout.startswith("usage: hachure-render")
 assert draw("--version").stdout.startswith("hachure-render ")
 styles = draw("--list-styles").stdout.split()
-assert styles[:3] == ["hatch", "cross-hatch", "halftone"], styles
+assert styles[:4] == ["hatch", "cross-hatch", "halftone", "cmyk"], styles
 
 # The command line.
 refused("no input file given")

@@ -70,6 +70,12 @@ def test_every_parameter_survives():
     tone.SetConstant(0.1 + 0.2)
     tone.SetGamma(2.2)
     tone.InvertOn()
+    tone.SetRemap(tone.SMOOTHSTEP)
+    tone.SetSteps(7)
+    tone.SetRemapRange(0.9, 1.0 / 3.0)
+    tone.SetLightIndex(3)
+    tone.SetHighlightPower(45.5)
+    tone.SetBlackGeneration(0.7)
     layer.SetTone(tone)
     layer.SetColor(1.0 / 3.0, 0.7, 1.0)
     layer.SetOpacity(0.35)
@@ -275,11 +281,12 @@ def test_files(folder):
 def test_presets():
     count = hachure.vtkPatternStyle.GetNumberOfPresets()
     names = [hachure.vtkPatternStyle.GetPresetName(i) for i in range(count)]
-    assert names == ["hatch", "cross-hatch", "halftone", "painterly", "paper"], names
+    assert names == ["hatch", "cross-hatch", "halftone", "cmyk", "painterly", "paper"], names
     assert hachure.vtkPatternStyle.GetPresetName(count) is None
     assert hachure.vtkPatternStyle.GetDefaultPresetName() in names
     layer = hachure.vtkImagePatternLayer
-    patterns = [layer.HATCH, layer.CROSS_HATCH, layer.HALFTONE, layer.PAINT, layer.HATCH]
+    patterns = [layer.HATCH, layer.CROSS_HATCH, layer.HALFTONE, layer.HALFTONE, layer.PAINT,
+                layer.HATCH]
     texts = set()
     for i, name in enumerate(names):
         style = new_style()
@@ -288,7 +295,7 @@ def test_presets():
         assert layer.GetPattern() == patterns[i] and style.GetOutline() == (name != "painterly")
         texts.add(style.ToJson())
     assert len(texts) == len(names)
-    expect_error(style.LoadPreset("dots"), 'unknown style "dots"', "hatch, cross-hatch, halftone")
+    expect_error(style.LoadPreset("dots"), 'unknown style "dots"', "hatch, cross-hatch, halftone, cmyk")
 
 
 test_every_parameter_survives()

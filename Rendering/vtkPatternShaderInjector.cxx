@@ -113,10 +113,10 @@ std::string vtkPatternShaderInjector::SurfaceOutputs() const
   const bool forward = this->Stage == FORWARD;
   std::string text;
   const auto images = this->Needed.Images();
-  for (std::size_t output = 0; output < images.size(); ++output)
+  for (std::size_t image = 0; image < images.size(); ++image)
   {
     std::string name;
-    switch (images[output])
+    switch (images[image])
     {
       case vtkPatternAttributes::PATCH:
         name = "Patch";
@@ -135,7 +135,7 @@ std::string vtkPatternShaderInjector::SurfaceOutputs() const
     if (!name.empty())
     {
       std::string section = Section(name + (forward ? "Forward" : "Attribute"));
-      vtkShaderProgram::Substitute(section, "[IMAGE]", "[" + std::to_string(output) + "]");
+      vtkShaderProgram::Substitute(section, "[IMAGE]", "[" + std::to_string(image) + "]");
       text += section;
     }
   }

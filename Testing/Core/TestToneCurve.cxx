@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -91,8 +92,10 @@ TEST(ProcessInks, MultiplyBackToTheColour)
   {
     for (int i = 0; i < 6 * 6 * 6; ++i)
     {
-      const glm::vec3 color(static_cast<float>(i % 6) / 5.0f, static_cast<float>(i / 6 % 6) / 5.0f,
-        static_cast<float>(i / 36) / 5.0f);
+      const int red = i % 6;
+      const int green = i / 6 % 6;
+      const int blue = i / 36;
+      const glm::vec3 color = glm::vec3(red, green, blue) / 5.0f;
       const glm::vec4 inks = glsl::processInks(color, share);
       const glm::vec3 printed = (1.0f - inks.w) * (glm::vec3(1.0f) - glm::vec3(inks));
       for (int c = 0; c < 3; ++c)

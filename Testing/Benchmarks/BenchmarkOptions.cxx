@@ -19,6 +19,7 @@ constexpr int SmallestSide = 16;
 constexpr int LargestTriangles = 20000000;
 constexpr int SmallestTriangles = 100;
 constexpr int LargestFrames = 100000;
+constexpr int LargestPatches = 8192;
 
 /// All layers that can be measured, with their default configuration.
 const std::vector<LayerConfiguration>& knownLayers()
@@ -144,6 +145,10 @@ void setOption(
   {
     result.size = toSize(name, value);
   }
+  else if (name == "--patches")
+  {
+    result.patches = toCount(name, value, 1, LargestPatches);
+  }
   else if (name == "--frames")
   {
     result.frames = toCount(name, value, 1, LargestFrames);
@@ -172,7 +177,7 @@ BenchmarkOptions parseOptions(int argumentCount, char* const* arguments)
     const auto equals = argument.find('=');
     const std::string name = argument.substr(0, equals);
     if (name != "--layer" && name != "--style" && name != "--triangles" && name != "--size" &&
-      name != "--frames" && name != "--json")
+      name != "--patches" && name != "--frames" && name != "--json")
     {
       throw UserError("unknown option '" + name + "'; try hachure-benchmark --help");
     }
@@ -204,6 +209,7 @@ picture; neither side is multisampled.
   --style NAME|FILE    a style, or a .json file, instead of the layer's default configuration
                        (image: cross-hatch, which has an outline)
   --triangles N[,...]  triangles of the surface, about (default 500000)
+  --patches N          cut the surface into N patches that blend near their borders (default 1)
   --size WxH           pixels of the picture (default 1280x720)
   --frames N           measured frames of each kind in each of the 5 runs (default 10)
   --json FILE          write the JSON to this file too
@@ -212,6 +218,7 @@ picture; neither side is multisampled.
 Keys of a row:
   layer, config        what was drawn: the style and how the numbers were obtained
   triangles            how many the surface really has
+  patches              of the surface
   width, height        of the picture, in pixels
   plain_cpu_ms         processor time of a frame drawn by VTK, all threads, to the end of drawing
   pattern_cpu_ms       the same with the pattern

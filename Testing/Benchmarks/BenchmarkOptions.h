@@ -25,6 +25,7 @@ struct BenchmarkOptions
   std::vector<LayerConfiguration> layers; ///< one row each, per number of triangles
   std::vector<int> triangles = { 500000 };
   std::array<int, 2> size = { 1280, 720 };
+  int patches = 1;  ///< of the surface, blended near their borders where there are several
   int frames = 10;  ///< measured frames of each kind in each run
   std::string json; ///< file to write besides stdout; empty for none
 };

@@ -40,6 +40,7 @@ Json::Value toJson(const LayerConfiguration& layer, vtkPolyData* surface,
   row["layer"] = layer.layer;
   row["config"] = describe(layer.style, cost);
   row["triangles"] = static_cast<Json::Int64>(surface->GetNumberOfPolys());
+  row["patches"] = options.patches;
   row["width"] = options.size[0];
   row["height"] = options.size[1];
   row["plain_cpu_ms"] = cost.plainCpu;
@@ -56,7 +57,11 @@ Json::Value measureAll(const BenchmarkOptions& options)
   Json::Value rows(Json::arrayValue);
   for (const int triangles : options.triangles)
   {
-    const auto surface = waveletSurface(triangles);
+    auto surface = waveletSurface(triangles);
+    if (options.patches > 1)
+    {
+      surface = inPatches(surface, options.patches);
+    }
     for (const LayerConfiguration& layer : options.layers)
     {
       std::fprintf(stderr, "layer %s, style %s, %lld triangles\n", layer.layer.c_str(),

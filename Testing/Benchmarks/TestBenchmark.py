@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 PROGRAM, FOLDER = sys.argv[1:3]
-KEYS = {"layer", "config", "triangles", "width", "height", "plain_cpu_ms", "pattern_cpu_ms",
+KEYS = {"layer", "config", "triangles", "patches", "width", "height", "plain_cpu_ms", "pattern_cpu_ms",
         "cpu_ratio", "wall_ratio", "gpu_ms", "memory_bytes"}
 STATED = ("style cross-hatch", "surface covers", "memory_bytes is", "gpu_ms")
 

@@ -3,6 +3,9 @@
 
 #include "WaveletSurface.h"
 
+#include "vtkPatchBlendWeights.h"
+#include "vtkSurfacePatches.h"
+
 #include <vtkFlyingEdges3D.h>
 #include <vtkNew.h>
 #include <vtkRTAnalyticSource.h>
@@ -58,5 +61,18 @@ vtkSmartPointer<vtkPolyData> waveletSurface(int triangles)
   vtkNew<vtkPolyData> result;
   result->ShallowCopy(surface); // without the pipeline and its grid
   return result;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> inPatches(vtkPolyData* surface, int patches)
+{
+  vtkNew<vtkSurfacePatches> cut;
+  cut->SetInputData(surface);
+  cut->SetMethod(vtkSurfacePatches::AUTOMATIC);
+  cut->SetNumberOfPatches(patches);
+  vtkNew<vtkPatchBlendWeights> blend;
+  blend->SetInputConnection(cut->GetOutputPort());
+  blend->Update();
+  return vtkPolyData::SafeDownCast(blend->GetOutputDataObject(0));
 }
 } // namespace hachure::benchmark

@@ -14,6 +14,8 @@ namespace hachure::benchmark
 /// An isosurface of VTK's wavelet with point normals and about so many triangles. The finer the
 /// grid, the more triangles; the shape stays.
 vtkSmartPointer<vtkPolyData> waveletSurface(int triangles);
+/// The surface with the arrays of so many patches and of their blending weights.
+vtkSmartPointer<vtkPolyData> inPatches(vtkPolyData* surface, int patches);
 } // namespace hachure::benchmark
 
 #endif

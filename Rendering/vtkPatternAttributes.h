@@ -18,7 +18,7 @@ struct vtkPatternAttributes
     COLOR,          ///< display-referred colour; alpha: 1 - half drawn edge
     TONE,           ///< tones of four channels
     NORMAL,         ///< normal in view coordinates in one float, negative without data
-    PATCH,          ///< numbers and weights of up to four patches
+    PATCH,          ///< patch of the triangle, or where patches overlap -1 - its record
     POINT,          ///< model coordinates; w: packed normal of the triangle
     TEXTURE,        ///< texture coordinates; z: 1 where there are some
     TEXTURE_SLOPES, ///< their change along x (xy) and y (zw)

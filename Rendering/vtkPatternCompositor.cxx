@@ -11,6 +11,7 @@
 #include "PatternCompose.h"
 #include "PatternField.h"
 #include "PatternLayer.h"
+#include "PatternPatchRecords.h"
 #include "PatternPatches.h"
 #include "ProcessInks.h"
 #include "SurfacePattern.h"
@@ -25,6 +26,8 @@
 #include "vtkShaderProgram.h"
 
 #include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 
@@ -205,8 +208,10 @@ void vtkPatternCompositor::UpdateText()
   }
   std::string text = std::string(Ink) + Mix + Lod + PatternField + SurfacePattern + PatchBlend +
     ToneCurve + ProcessInks + PatternCompose;
-  vtkShaderProgram::Substitute(
-    text, "//Hachure::Patches::Dec", this->GetAttributes().Patches ? PatternPatches : "");
+  const vtkPatternAttributes needed = this->GetAttributes();
+  vtkShaderProgram::Substitute(text, "//Hachure::Patches::Dec",
+    std::string(needed.Patches ? PatternPatches : "") +
+      (needed.PatchesOverlap ? PatternPatchRecords : ""));
   vtkShaderProgram::Substitute(text, "//Hachure::Layers::Dec", declarations);
   vtkShaderProgram::Substitute(text, "  //Hachure::Layers::Impl", calls);
   this->ShaderText = text;
@@ -294,6 +299,29 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
   if (this->GetAttributes().Patches)
   {
     program->SetUniformi("hachurePlacements", this->Placements->GetTextureUnit());
+    this->SetPatchUniforms(program, viewport);
+  }
+}
+
+void vtkPatternCompositor::SetPatchUniforms(
+  vtkShaderProgram* program, const vtkPatternViewport& viewport)
+{
+  const glm::dvec3& origin = this->CurrentScene.PatchOrigin;
+  if (program->IsUniformUsed("hachurePatchOrigin"))
+  {
+    const glm::vec3 about(origin);
+    program->SetUniform3f("hachurePatchOrigin", &about.x);
+  }
+  if (program->IsUniformUsed("hachureClipToPatches"))
+  {
+    const glm::mat4 toPatches(glm::inverse(glm::translate(this->CurrentScene.ModelToClip, origin)));
+    float values[16];
+    std::copy(&toPatches[0][0], &toPatches[0][0] + 16, values);
+    program->SetUniformMatrix4x4("hachureClipToPatches", values);
+    const float area[4] = { static_cast<float>(viewport.Drawn[0]),
+      static_cast<float>(viewport.Drawn[1]), static_cast<float>(viewport.Drawn[2]),
+      static_cast<float>(viewport.Drawn[3]) };
+    program->SetUniform4f("hachureDrawnArea", area);
   }
 }
 

@@ -65,6 +65,7 @@ private:
   };
   void UpdateText();
   void SetSurfaceUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
+  void SetPatchUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
   void UpdateTables(vtkOpenGLRenderWindow* window);
   void UploadPlacements(const std::vector<hachure::PatternFrame>& frames);
 

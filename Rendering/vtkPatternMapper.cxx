@@ -23,6 +23,8 @@
 #include "vtkPatternCompositor.h"
 #include "vtkPatternLights.h"
 #include "vtkPatternMapperHelper.h"
+#include "vtkPatternNumberBuffer.h"
+#include "vtkPatternPatchRecords.h"
 #include "vtkPatternPatches.h"
 #include "vtkPatternScreenPass.h"
 #include "vtkPatternShaderInjector.h"
@@ -55,6 +57,8 @@ struct vtkPatternMapper::WindowPart
   vtkPatternCompositor Compositor;
   std::shared_ptr<vtkPatternWindowResources> Resources;
   vtkPatternScreenPass ScreenPass;
+  vtkPatternNumberBuffer PatchRecords;
+  unsigned long PatchVersion = 0; // of the records in the buffer
 };
 
 struct vtkPatternMapper::Internals
@@ -62,6 +66,8 @@ struct vtkPatternMapper::Internals
   vtkPatternToneChannels Channels;
   vtkPatternLights Lights; // of the renderer that draws now
   vtkPatternPatches Patches;
+  vtkPatternPatchRecords PatchRecords;
+  glm::dvec3 PatchOrigin{ 0.0 };
   vtkTimeStamp ChannelTime;
   bool UsesTextureCoordinates = false; // once needed, they stay in the vertex buffers
   std::map<vtkWindow*, WindowPart> Windows;
@@ -124,7 +130,8 @@ private:
 };
 
 vtkPatternLayerPainter::Scene PainterScene(vtkRenderer* renderer, vtkActor* actor,
-  const vtkPatternViewport& viewport, vtkPatternStyle* style, const double bounds[6])
+  const vtkPatternViewport& viewport, vtkPatternStyle* style, const double bounds[6],
+  const glm::dvec3& patchOrigin)
 {
   const glm::dmat4 projection = vtkPattern::DrawnProjection(renderer);
   const glm::dmat4 modelToView = vtkPattern::ModelView(renderer, actor);
@@ -136,6 +143,7 @@ vtkPatternLayerPainter::Scene PainterScene(vtkRenderer* renderer, vtkActor* acto
     std::cbrt(std::abs(glm::determinant(glm::dmat3(modelToView))));
   const vtkBoundingBox box(bounds);
   scene.ModelDiagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
+  scene.PatchOrigin = patchOrigin;
   return scene;
 }
 } // namespace
@@ -234,6 +242,16 @@ std::string vtkPatternMapper::GetVelocityArrayName()
 const vtkPatternPatches& vtkPatternMapper::GetPatches() const
 {
   return this->Internal->Patches;
+}
+
+vtkPatternPatchRecords& vtkPatternMapper::GetPatchRecords()
+{
+  return this->Internal->PatchRecords;
+}
+
+glm::dvec3 vtkPatternMapper::GetPatchOrigin() const
+{
+  return this->Internal->PatchOrigin;
 }
 
 const vtkPatternToneChannels& vtkPatternMapper::GetToneChannels() const
@@ -434,6 +452,13 @@ void vtkPatternMapper::UpdatePatches(std::string& error)
   this->Internal->Patches.Collect(this->GetInputDataObject(0, 0), this->PatchArrayName, error);
   if (this->Internal->Patches.GetVersion() != before)
   {
+    double center[3] = { 0.0, 0.0, 0.0 };
+    const vtkBoundingBox box(this->GetBounds());
+    if (box.IsValid())
+    {
+      box.GetCenter(center);
+    }
+    this->Internal->PatchOrigin = { center[0], center[1], center[2] };
     this->Internal->ChannelTime.Modified();
     this->Modified();
   }
@@ -486,7 +511,8 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   double bounds[6];
   this->GetBounds(bounds);
   part.Compositor.Update(this->Style, this->Internal->Channels, this->Internal->Patches, window,
-    PainterScene(renderer, actor, viewport, this->Style, bounds), error);
+    PainterScene(renderer, actor, viewport, this->Style, bounds, this->Internal->PatchOrigin),
+    error);
   this->UpdateTextureCoordinates(
     part.Compositor.GetAttributes().Has(vtkPatternAttributes::TEXTURE));
   this->Report(error, this->Internal->ReportedStyle);
@@ -568,9 +594,14 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
   if (drawing.Rectangle[2] > 0 && drawing.Rectangle[3] > 0)
   {
     this->DrawAttributes(drawing);
+    if (this->Internal->PatchRecords.IsDrawnWrong())
+    {
+      this->DrawAttributes(drawing);
+    }
+    this->UploadPatchRecords(drawing);
     const vtkPatternScreenPass::Scene scene = { drawing.Renderer, drawing.Actor, drawing.Window,
-      this->Style, drawing.Viewport, drawing.Rectangle, drawing.Track->Frames,
-      this->GetNanColor() };
+      this->Style, drawing.Viewport, drawing.Rectangle, drawing.Track->Frames, this->GetNanColor(),
+      drawing.Part.PatchRecords.Texture };
     if (!drawing.Part.ScreenPass.Draw(scene, resources, drawing.Part.Compositor))
     {
       this->Report(
@@ -587,6 +618,17 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
     this->Stage = DrawStage::Remainder;
     this->Superclass::Render(drawing.Renderer, drawing.Actor);
     this->Stage = DrawStage::Stock;
+  }
+}
+
+void vtkPatternMapper::UploadPatchRecords(Drawing& drawing)
+{
+  const vtkPatternPatchRecords& records = this->Internal->PatchRecords;
+  const bool overlap = drawing.Part.Compositor.GetAttributes().PatchesOverlap;
+  if (overlap && drawing.Part.PatchVersion != records.GetVersion())
+  {
+    drawing.Part.PatchRecords.Upload(drawing.Window, records.All(), 4);
+    drawing.Part.PatchVersion = records.GetVersion();
   }
 }
 
@@ -664,6 +706,7 @@ void vtkPatternMapper::ReleaseGraphicsResources(vtkWindow* window)
     WindowPart& part = found->second;
     part.Compositor.ReleaseGraphicsResources(window);
     part.ScreenPass.ReleaseGraphicsResources(window);
+    part.PatchRecords.Release(window);
     if (part.Resources)
     {
       part.Resources->ReleaseGraphicsResources(window);

@@ -42,6 +42,8 @@
 #include <string> // for the name of the patch array
 
 #ifndef __VTK_WRAP__
+#include <glm/fwd.hpp>
+
 #include <array>
 #include <memory>
 #include <vector>
@@ -183,6 +185,9 @@ public:
   }
   const class vtkPatternToneChannels& GetToneChannels() const;
   const class vtkPatternPatches& GetPatches() const;
+  class vtkPatternPatchRecords& GetPatchRecords();
+  /// Near the surface: coordinates about it keep their digits in float.
+  glm::dvec3 GetPatchOrigin() const;
   /// Whether the vertex buffers hold texture coordinates for the style.
   bool GetUsesTextureCoordinates() const;
   std::vector<hachure::PatternFrame> AnchoredFrames(const hachure::TrackedSamples& samples,
@@ -215,6 +220,7 @@ private:
   void RenderOpaque(Drawing& drawing);
   void RenderForward(Drawing& drawing);
   void DrawAttributes(Drawing& drawing);
+  void UploadPatchRecords(Drawing& drawing);
   bool HasRemainder(vtkActor* actor);
   std::array<double, 3> GetNanColor();
 

@@ -13,6 +13,7 @@
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPatternMapper.h"
+#include "vtkPatternPatchRecords.h"
 #include "vtkPatternPatches.h"
 #include "vtkPatternTone.h"
 #include "vtkPointData.h"
@@ -100,51 +101,20 @@ void vtkPatternMapperHelper::DrawSelection(vtkRenderer* renderer, vtkActor* acto
   }
 }
 
-template <class Value>
-void vtkPatternMapperHelper::NumberBuffer::Upload(
-  vtkOpenGLRenderWindow* window, const std::vector<Value>& values, int components)
+vtkPatternMapperHelper::~vtkPatternMapperHelper()
 {
-  this->Texture = nullptr;
-  if (values.empty())
+  if (vtkPatternMapper* mapper = this->GetMapper())
   {
-    return;
-  }
-  this->Buffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
-  this->Buffer->SetType(vtkOpenGLBufferObject::TextureBuffer);
-  this->Buffer->Upload(values, vtkOpenGLBufferObject::TextureBuffer);
-  this->Texture = vtkSmartPointer<vtkTextureObject>::New();
-  this->Texture->SetContext(window);
-  const std::size_t numbers = values.size() * sizeof(Value) / sizeof(float);
-  this->Texture->CreateTextureBuffer(
-    static_cast<unsigned int>(numbers / static_cast<std::size_t>(components)), components,
-    VTK_FLOAT, this->Buffer);
-}
-
-bool vtkPatternMapperHelper::NumberBuffer::IsUsable() const
-{
-  return this->Texture && this->Texture->GetHandle();
-}
-
-void vtkPatternMapperHelper::NumberBuffer::Release(vtkWindow* window)
-{
-  if (this->Texture)
-  {
-    this->Texture->ReleaseGraphicsResources(window);
-    this->Texture = nullptr;
-  }
-  if (this->Buffer)
-  {
-    this->Buffer->ReleaseGraphicsResources();
-    this->Buffer = nullptr;
+    mapper->GetPatchRecords().Forget(this);
   }
 }
 
-std::vector<std::pair<std::string, vtkPatternMapperHelper::NumberBuffer*>>
-vtkPatternMapperHelper::NumberBuffers()
+std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> vtkPatternMapperHelper::NumberBuffers()
 {
-  std::vector<std::pair<std::string, NumberBuffer*>> buffers = { { "hachurePatchOfTriangle",
-                                                                   &this->PatchOfTriangle },
-    { "hachurePatchRecords", &this->PatchRecords } };
+  std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> buffers = {
+    { "hachurePatchOfTriangle", &this->PatchOfTriangle },
+    { "hachurePatchRecords", &this->PatchRecords }
+  };
   for (std::size_t i = 0; i < this->CellTones.size(); ++i)
   {
     buffers.emplace_back("hachureCellTone" + std::to_string(i), &this->CellTones[i]);
@@ -155,6 +125,13 @@ vtkPatternMapperHelper::NumberBuffers()
 void vtkPatternMapperHelper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::RenderPieceStart(renderer, actor);
+  const bool forward = this->GetMapper()->GetDrawStage() == vtkPatternMapper::DrawStage::Stock;
+  if (forward && !this->WaitingRecords.empty())
+  {
+    this->PatchRecords.Upload(
+      vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), this->WaitingRecords, 4);
+    this->WaitingRecords = {};
+  }
   for (const auto& named : this->NumberBuffers())
   {
     if (named.second->IsUsable())
@@ -181,6 +158,12 @@ void vtkPatternMapperHelper::SetMapperShaderParameters(
 {
   this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
   this->SetCoordinates(cellBO.Program);
+  if (cellBO.Program->IsUniformUsed("hachurePatchBase"))
+  {
+    const bool forward = this->GetMapper()->GetDrawStage() == vtkPatternMapper::DrawStage::Stock;
+    cellBO.Program->SetUniformf("hachurePatchBase",
+      forward ? 0.0f : static_cast<float>(this->GetMapper()->GetPatchRecords().Base(this)));
+  }
   for (const auto& named : this->NumberBuffers())
   {
     if (named.second->Texture && cellBO.Program->IsUniformUsed(named.first.c_str()))
@@ -205,12 +188,14 @@ void vtkPatternMapperHelper::BuildBufferObjects(vtkRenderer* renderer, vtkActor*
     tone.Upload(window, tone.Values, 2);
     tone.Values = {};
   }
+  this->PatchOfTriangle.Upload(window, this->Patches.triangles, 1);
   if (!this->Patches.triangles.empty() && this->Patches.records.empty())
   {
     this->Patches.records.resize(hachure::patchRecordTexels); // samplers must have a texture
   }
-  this->PatchOfTriangle.Upload(window, this->Patches.triangles, 1);
-  this->PatchRecords.Upload(window, this->Patches.records, 4);
+  this->GetMapper()->GetPatchRecords().Store(this, this->Patches.records);
+  this->PatchRecords.Upload(window, std::vector<glm::vec4>(), 4);
+  this->WaitingRecords = std::move(this->Patches.records);
   this->Patches = {};
 }
 
@@ -322,7 +307,8 @@ void vtkPatternMapperHelper::AppendPatches(vtkPatternHelperData* data, int repre
     cells[primitive] = data->CellCellMap->GetValue(primitive);
   }
   const vtkIdType* offsets = data->CellCellMap->GetPrimitiveOffsets();
-  patches.Append(poly, cells, static_cast<std::size_t>(offsets[2] - offsets[0]), this->Patches);
+  patches.Append(poly, cells, static_cast<std::size_t>(offsets[2] - offsets[0]),
+    this->GetMapper()->GetPatchOrigin(), this->Patches);
 }
 
 void vtkPatternMapperHelper::AppendOneBufferObject(vtkRenderer* renderer, vtkActor* actor,

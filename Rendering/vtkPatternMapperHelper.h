@@ -11,6 +11,7 @@
 
 #include "TrianglePatches.h"
 #include "vtkPatternCompositeMapper.h"
+#include "vtkPatternNumberBuffer.h"
 #include "vtkPatternToneChannels.h"
 #include "vtkSmartPointer.h"
 
@@ -20,11 +21,8 @@
 #include <utility>
 #include <vector>
 
-class vtkOpenGLBufferObject;
-class vtkOpenGLRenderWindow;
 class vtkPatternMapper;
 class vtkShaderProgram;
-class vtkTextureObject;
 
 class vtkPatternMapperHelper : public vtkPatternHelperBase
 {
@@ -36,7 +34,7 @@ public:
 
 protected:
   vtkPatternMapperHelper() = default;
-  ~vtkPatternMapperHelper() override = default;
+  ~vtkPatternMapperHelper() override;
 
   void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
@@ -48,17 +46,7 @@ protected:
     vtkIdType& offset, std::vector<unsigned char>& colors, std::vector<float>& normals) override;
 
 private:
-  /// Numbers that a shader reads one by one.
-  struct NumberBuffer
-  {
-    vtkSmartPointer<vtkOpenGLBufferObject> Buffer;
-    vtkSmartPointer<vtkTextureObject> Texture;
-    template <class Value>
-    void Upload(vtkOpenGLRenderWindow* window, const std::vector<Value>& values, int components);
-    bool IsUsable() const;
-    void Release(vtkWindow* window);
-  };
-  struct CellTone : NumberBuffer
+  struct CellTone : vtkPatternNumberBuffer
   {
     std::vector<float> Values;
   };
@@ -69,12 +57,13 @@ private:
   void SetCoordinates(vtkShaderProgram* program);
   void AppendCellTones(vtkPatternHelperData* data, int representation);
   void AppendPatches(vtkPatternHelperData* data, int representation);
-  std::vector<std::pair<std::string, NumberBuffer*>> NumberBuffers();
+  std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> NumberBuffers();
 
   std::array<CellTone, vtkPatternToneChannels::Maximum> CellTones;
   hachure::TrianglePatches Patches; // while buffers are built
-  NumberBuffer PatchOfTriangle;
-  NumberBuffer PatchRecords;
+  vtkPatternNumberBuffer PatchOfTriangle;
+  vtkPatternNumberBuffer PatchRecords;   // for translucent surfaces alone
+  std::vector<glm::vec4> WaitingRecords; // not uploaded for them yet
   std::set<vtkDataArray*> AppendedPoints;
 };
 

@@ -179,7 +179,7 @@ void vtkPatternPatches::Read(vtkDataObject* input, std::string& error)
 }
 
 void vtkPatternPatches::Append(vtkPolyData* block, const std::vector<vtkIdType>& cells,
-  std::size_t others, hachure::TrianglePatches& all) const
+  std::size_t others, const glm::dvec3& origin, hachure::TrianglePatches& all) const
 {
   vtkDataArray* numbers = block->GetCellData()->GetArray(this->ArrayName.c_str());
   const auto patchOf = [&](vtkIdType cell)
@@ -220,6 +220,7 @@ void vtkPatternPatches::Append(vtkPolyData* block, const std::vector<vtkIdType>&
     {
       const vtkIdType point = corners[first + i];
       block->GetPoint(point, &points[i][0]);
+      points[i] -= origin;
       weighted[i] = Corner(patches, weights, point);
     }
     hachure::appendTriangle(all, points, weighted);

@@ -8,6 +8,8 @@
 
 #include "vtkType.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -40,9 +42,10 @@ public:
   unsigned long GetVersion() const { return this->Version; }
 
   /// Appends the patches of all that VTK draws of a block, in the order of its primitives;
-  /// `cells` is the cell of each primitive, of which `others` come before the triangles.
+  /// `cells` is the cell of each primitive, of which `others` come before the triangles; corners
+  /// are stored about `origin`.
   void Append(vtkPolyData* block, const std::vector<vtkIdType>& cells, std::size_t others,
-    hachure::TrianglePatches& all) const;
+    const glm::dvec3& origin, hachure::TrianglePatches& all) const;
 
   /// Name of the array where none is set.
   static const char* DefaultArrayName() { return "PatchId"; }

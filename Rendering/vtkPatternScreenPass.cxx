@@ -51,8 +51,9 @@ std::string vtkPatternScreenPass::Text(
   {
     if (needed.Has(kind.first))
     {
-      const std::string name = kind.second;
+      std::string name = kind.second;
       surfaceDec += vtkPattern::ShaderSection(PatternSurfaceImages, name + "Dec");
+      name += kind.first == vtkPatternAttributes::PATCH && needed.PatchesOverlap ? "Blend" : "";
       surfaceImpl += vtkPattern::ShaderSection(PatternSurfaceImages, name + "Impl");
     }
   }
@@ -109,6 +110,7 @@ bool vtkPatternScreenPass::Draw(
     { "hachureSurfaceTone", resources.GetImage(vtkPatternAttributes::TONE) },
     { "hachureSurfaceNormal", resources.GetImage(vtkPatternAttributes::NORMAL) },
     { "hachureSurfaceDepth", resources.SurfaceDepth },
+    { "hachurePatchRecords", scene.PatchRecords },
     { "hachureSurfacePatch", resources.GetImage(vtkPatternAttributes::PATCH) },
     { "hachureSurfacePoint", resources.GetImage(vtkPatternAttributes::POINT) },
     { "hachureSurfaceTexture", resources.GetImage(vtkPatternAttributes::TEXTURE) },
@@ -116,7 +118,8 @@ bool vtkPatternScreenPass::Draw(
   };
   for (const auto& image : images)
   {
-    if (program->IsUniformUsed(image.first)) // the normal, for example, serves the outline alone
+    if (image.second &&
+      program->IsUniformUsed(image.first)) // the normal, for example, serves the outline alone
     {
       image.second->Activate();
       program->SetUniformi(image.first, image.second->GetTextureUnit());
@@ -136,7 +139,7 @@ bool vtkPatternScreenPass::Draw(
   compositor.Deactivate();
   for (const auto& image : images)
   {
-    if (program->IsUniformUsed(image.first))
+    if (image.second && program->IsUniformUsed(image.first))
     {
       image.second->Deactivate();
     }

@@ -22,6 +22,7 @@ class vtkPatternStyle;
 class vtkPatternWindowResources;
 class vtkRenderer;
 class vtkShaderProgram;
+class vtkTextureObject;
 class vtkWindow;
 struct vtkPatternViewport;
 
@@ -41,6 +42,7 @@ public:
     std::array<int, 4> Rectangle;                     // x, y, width, height in the framebuffer
     const std::vector<hachure::PatternFrame>& Frames; // per patch
     std::array<double, 3> NanColor;
+    vtkTextureObject* PatchRecords; // null where patches do not overlap
   };
 
   /// False where the shader of the style does not compile.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatternShaderInjector.h"
 
-#include "PatchBlend.h"
 #include "PatternSurface.h"
 #include "SurfaceLight.h"
 #include "vtkActor.h"
@@ -78,7 +77,8 @@ bool vtkPatternShaderInjector::Place(
 std::string vtkPatternShaderInjector::SurfaceText(const std::string& ending) const
 {
   std::string text;
-  if (this->Needed.Has(vtkPatternAttributes::POINT) || this->Needed.PatchesOverlap)
+  const bool blends = this->Needed.PatchesOverlap && this->Stage == FORWARD;
+  if (this->Needed.Has(vtkPatternAttributes::POINT) || blends)
   {
     text += Section("Point" + ending);
   }
@@ -103,7 +103,6 @@ std::string vtkPatternShaderInjector::SurfaceValues() const
   if (this->Needed.Patches)
   {
     text += Section("PatchFSImpl");
-    text += this->Needed.PatchesOverlap ? Section("PatchBlendFSImpl") : std::string();
   }
   return text;
 }
@@ -119,7 +118,7 @@ std::string vtkPatternShaderInjector::SurfaceOutputs() const
     switch (images[image])
     {
       case vtkPatternAttributes::PATCH:
-        name = "Patch";
+        name = forward && this->Needed.PatchesOverlap ? "PatchBlend" : "Patch";
         break;
       case vtkPatternAttributes::POINT:
         name = "Point";
@@ -152,7 +151,7 @@ bool vtkPatternShaderInjector::PreReplaceShaderValues(std::string& vertexShader,
   std::string fragmentDec = Section("Dec") + this->ComposeText + this->SurfaceText("FSDec");
   if (this->Needed.Patches)
   {
-    fragmentDec += (this->Stage == ATTRIBUTES ? PatchBlend : "") + Section("PatchFSDec");
+    fragmentDec += Section("PatchFSDec");
   }
   fragmentDec += this->LightsDeclaration();
   const auto& channels = this->Channels.Get();

@@ -55,7 +55,9 @@ bool vtkPatternWindowResources::Attach(
   for (const vtkPatternAttributes::Image image : images)
   {
     const bool bytes = image <= vtkPatternAttributes::TONE;
-    const int components = image == vtkPatternAttributes::NORMAL ? 1 : 4;
+    const bool single =
+      image == vtkPatternAttributes::NORMAL || image == vtkPatternAttributes::PATCH;
+    const int components = single ? 1 : 4;
     if (make(this->Images[image]))
     {
       this->Images[image]->Allocate2D(

@@ -6,18 +6,22 @@ uniform sampler2D hachurePlacements; // patches up, three texels for every layer
 vec4 hachurePatchNumbers = vec4(0.0);
 vec4 hachurePatchShares = vec4(1.0, 0.0, 0.0, 0.0);
 
-// code: as packPatch() makes it.
-void hachureSeePatches(vec4 code)
+void hachureSeePatch(float number)
 {
-  vec4 weights = unpackedWeights(code);
+  hachurePatchNumbers.x = max(number, 0.0);
+}
+
+void hachureSeePatches(vec4 numbers, vec4 weights)
+{
+  vec4 kept = relevantWeights(weights);
   hachurePatchShares = vec4(0.0);
   int found = 0;
   for (int i = 0; i < 4; ++i)
   {
-    if (weights[i] > 0.0)
+    if (kept[i] > 0.0)
     {
-      hachurePatchNumbers[found] = packedPatch(code[i]);
-      hachurePatchShares[found] = weights[i];
+      hachurePatchNumbers[found] = numbers[i];
+      hachurePatchShares[found] = kept[i];
       ++found;
     }
   }

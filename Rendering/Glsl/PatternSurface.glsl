@@ -91,28 +91,10 @@ in vec3 hachurePointVSOutput;
   hachureFacetNormal /= max(length(hachureFacetNormal), 1e-30);
 //Section PatchFSDec
 uniform samplerBuffer hachurePatchOfTriangle; // per primitive: its patch, or -1 - its record
-uniform samplerBuffer hachurePatchRecords;    // 7 texels each, see TrianglePatches
+uniform float hachurePatchBase;               // records of other helpers before those of this one
 //Section PatchFSImpl
   float hachurePatch = texelFetch(hachurePatchOfTriangle, gl_PrimitiveID + PrimitiveIDOffset).x;
-  vec4 hachurePatchCode = vec4(packPatch(max(hachurePatch, 0.0), 1.0), vec3(0.0));
-//Section PatchBlendFSImpl
-  // Software OpenGL executes both sides of every branch, but a loop no more often than it must.
-  for (int record = int(-hachurePatch); record > 0; record = 0)
-  {
-    int texel = 7 * (record - 1);
-    vec4 corner = texelFetch(hachurePatchRecords, texel);
-    vec4 toSecond = texelFetch(hachurePatchRecords, texel + 1);
-    vec4 toThird = texelFetch(hachurePatchRecords, texel + 2);
-    vec4 numbers =
-      vec4(corner.w, toSecond.w, toThird.w, texelFetch(hachurePatchRecords, texel + 3).x);
-    vec4 weights = patchWeights(hachurePointVSOutput, corner.xyz, toSecond.xyz, toThird.xyz,
-      texelFetch(hachurePatchRecords, texel + 4), texelFetch(hachurePatchRecords, texel + 5),
-      texelFetch(hachurePatchRecords, texel + 6));
-    for (int i = 0; i < 4; ++i)
-    {
-      hachurePatchCode[i] = packPatch(numbers[i], weights[i]);
-    }
-  }
+  hachurePatch -= hachurePatch < 0.0 ? hachurePatchBase : 0.0;
 //Section TextureVSDec
 in vec3 hachureTextureMC; // z: 1 where the block has texture coordinates
 out vec3 hachureTextureVSOutput;
@@ -197,7 +179,7 @@ float hachurePackNormal(vec3 n)
   gl_FragData[2] =
     vec4(hachureLeastTone < 0.0 ? -1.0 - hachureCodedNormal : hachureCodedNormal, 0.0, 0.0, 1.0);
 //Section PatchAttribute
-  gl_FragData[IMAGE] = hachurePatchCode;
+  gl_FragData[IMAGE] = vec4(hachurePatch, 0.0, 0.0, 1.0);
 //Section PointAttribute
   gl_FragData[IMAGE] = vec4(hachurePointVSOutput, hachurePackNormal(hachureFacetNormal));
 //Section TextureAttribute
@@ -205,7 +187,9 @@ float hachurePackNormal(vec3 n)
 //Section SlopesAttribute
   gl_FragData[IMAGE] = hachureTextureChange;
 //Section PatchForward
-  hachureSeePatches(hachurePatchCode);
+  hachureSeePatch(hachurePatch);
+//Section PatchBlendForward
+  hachureSeeTriangle(hachurePatch, hachurePointVSOutput - hachurePatchOrigin);
 //Section PointForward
   hachureSeeSurface(hachurePointVSOutput, hachureFacetNormal);
 //Section TextureForward

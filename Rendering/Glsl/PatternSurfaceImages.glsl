@@ -6,9 +6,13 @@ uniform sampler2D hachureSurfacePoint; // model coordinates, w: packed normal of
   vec4 point = texelFetch(hachureSurfacePoint, pixel, 0);
   hachureSeeSurface(point.xyz, hachureUnpackNormal(point.w));
 //Section PatchDec
-uniform sampler2D hachureSurfacePatch; // numbers and weights of up to four patches
+uniform sampler2D hachureSurfacePatch; // patch of the triangle, or -1 - its record
 //Section PatchImpl
-  hachureSeePatches(texelFetch(hachureSurfacePatch, pixel, 0));
+  hachureSeePatch(texelFetch(hachureSurfacePatch, pixel, 0).r);
+//Section PatchBlendImpl
+  vec4 place = hachureClipToPatches *
+    vec4(2.0 * vec3((gl_FragCoord.xy - hachureDrawnArea.xy) / hachureDrawnArea.zw, depth) - 1.0, 1.0);
+  hachureSeeTriangle(texelFetch(hachureSurfacePatch, pixel, 0).r, place.xyz / place.w);
 //Section TextureDec
 uniform sampler2D hachureSurfaceTexture;       // texture coordinates, z: 1 where there are some
 uniform sampler2D hachureSurfaceTextureSlopes; // their change per fragment: along x, along y

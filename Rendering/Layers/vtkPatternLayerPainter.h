@@ -37,8 +37,9 @@ public:
     double PixelsPerLogical = 1.0;
     double DotsPerInch = 96.0;
     glm::dmat4 ModelToClip = glm::dmat4(1.0);
-    double PixelsPerModelUnit = 1.0; // of the framebuffer, where clip w is 1
-    double ModelDiagonal = 1.0;      // of the input's bounds; 0 where there are none
+    double PixelsPerModelUnit = 1.0;          // of the framebuffer, where clip w is 1
+    double ModelDiagonal = 1.0;               // of the input's bounds; 0 where there are none
+    glm::dvec3 PatchOrigin = glm::dvec3(0.0); // that records of patches are stored about
   };
 
   /// Brings textures and tables up to date. Returns false, with the reason in `error`, where the

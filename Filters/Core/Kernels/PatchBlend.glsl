@@ -5,26 +5,6 @@
 // patches a point belongs to and by what weights, and the distribution of their mixed screens.
 // At most four patches, kept in the components of a vec4.
 
-// Number and weight of a patch in one float, exact for numbers up to 8191.
-const float patchWeightSteps = 2048.0f;
-
-// weight: 0 to 1.
-float packPatch(float number, float weight)
-{
-  float steps = patchWeightSteps - 1.0f;
-  return number * patchWeightSteps + floor(clamp(weight, 0.0f, 1.0f) * steps + 0.5f);
-}
-
-float packedPatch(float code)
-{
-  return floor(code / patchWeightSteps);
-}
-
-float packedWeight(float code)
-{
-  return (code - packedPatch(code) * patchWeightSteps) / (patchWeightSteps - 1.0f);
-}
-
 // Weights of a triangle's patches at a point of it, from those at its corners. corner: the first
 // one; toSecond, toThird: how the weights of the second and third corner grow with the position.
 // The sum of the result is 1.
@@ -41,16 +21,11 @@ vec4 patchWeights(vec3 point, vec3 corner, vec3 toSecond, vec3 toThird, vec4 atF
 // Largest of the weights that do not matter: less than a step of tone that anyone can see.
 const float patchLeastWeight = 1.0f / 64.0f;
 
-// Weights of a code of four, with those that are too small left out; their sum is 1.
-vec4 unpackedWeights(vec4 code)
+// Weights of which those that are too small are left out; their sum is 1.
+vec4 relevantWeights(vec4 weights)
 {
-  vec4 weights = vec4(packedWeight(code.x), packedWeight(code.y), packedWeight(code.z),
-    packedWeight(code.w));
-  for (int i = 0; i < 4; ++i)
-  {
-    weights[i] = weights[i] < patchLeastWeight ? 0.0f : weights[i];
-  }
-  return weights / max(weights.x + weights.y + weights.z + weights.w, 1.0e-6f);
+  vec4 kept = weights * step(vec4(patchLeastWeight), weights);
+  return kept / max(kept.x + kept.y + kept.z + kept.w, 1.0e-6f);
 }
 
 // Lower half of the distribution function below.

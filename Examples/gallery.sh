@@ -60,3 +60,9 @@ done
 package=$(echo "$build"/lib*/python3*/*-packages)
 PYTHONPATH="$package" /usr/bin/python3 Examples/Python/first_picture.py "$gallery/first-picture.png"
 echo "$gallery/first-picture.png"
+
+# The figures of the paper; some print how far patterns slide.
+for figure in travelling patches elongated painting table skulls landscape; do
+  PYTHONPATH="$package" /usr/bin/python3 "Examples/Figures/$figure.py" "$gallery/$figure.png"
+  echo "$gallery/$figure.png"
+done

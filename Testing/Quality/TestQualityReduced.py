@@ -15,6 +15,8 @@ OUT = os.path.join(sys.argv[sys.argv.index("-T") + 1], "QualityReduced")
 SIMILARITY = {"translate": (0.05, 0.002), "rotate": (None, 0.002), "zoom": (0.08, 0.004),
               "roll": (0.005, 0.002)}
 AVOIDABLE = 0.25  # of the slide on a rotating sphere
+PATCHES = 0.5  # of the slide on a rotating ellipsoid without patches
+JUMP = 0.2  # largest boil while a pattern changes its octave; without a transition it is 0.8
 SLOPE = 0.25  # largest growth of frequency with obliquity or distance of a flat pattern
 
 
@@ -75,6 +77,21 @@ def check_similarity(rows):
         assert abs(slope) <= SLOPE, (metric, slope)
 
 
+def check_patches(rows):
+    """Patches halve the slide of what turns away, and keep the look."""
+    alone, parts = (value(rows, "rotate", field, "SlideRatio", "ellipsoid")
+                    for field in ("similarity", "patches"))
+    assert parts <= PATCHES * alone, (alone, parts)
+    assert value(rows, "rotate", "patches", "BoilMedian", "ellipsoid") <= 0.003
+    assert abs(value(rows, "rotate", "patches", "Contrast", "ellipsoid") - 1) <= 0.1
+
+
+def check_octave(rows):
+    """Marks give way to those of half the size little by little."""
+    assert value(rows, "octave", "similarity", "BoilLargest") <= JUMP
+    assert value(rows, "octave", "similarity", "BoilMedian") <= 0.002
+
+
 def check_flicker(rows):
     """The tone of places on the surface: steady where the pattern sticks to it."""
     for motion in ("translate", "rotate", "zoom"):
@@ -94,6 +111,8 @@ check_rows(rows)
 check_page(page, len({tuple(row[key] for key in ("scene", "motion", "field")) for row in rows}))
 check_order(rows)
 check_similarity(rows)
+check_patches(rows)
+check_octave(rows)
 check_flicker(rows)
 assert "bidirectional advection" in page and "not implemented" in page, "what is missing is named"
 

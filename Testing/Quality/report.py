@@ -23,9 +23,12 @@ FRAMES, FRAMES_REDUCED = 16, 7
 AXES = ("scene", "motion", "field", "ink", "lighting")
 FLAT_NOISE = {"ink": ["noise"], "lighting": ["unlit"]}
 REDUCED = (
-    {"scene": ["sphere"], "motion": ["translate", "rotate", "zoom"], **FLAT_NOISE},
+    {"scene": ["sphere"], "motion": ["translate", "rotate", "zoom"],
+     "field": ["screen", "texture", "solid", "similarity"], **FLAT_NOISE},
     {"scene": ["sphere"], "motion": ["roll"], "field": ["screen", "texture", "similarity"], **FLAT_NOISE},
+    {"scene": ["sphere"], "motion": ["octave"], "field": ["similarity"], **FLAT_NOISE},
     {"scene": ["plane"], "motion": ["approach"], "field": ["similarity"], **FLAT_NOISE},
+    {"scene": ["ellipsoid"], "motion": ["rotate"], "field": ["similarity", "patches"], **FLAT_NOISE},
 )
 # Strokes tell little more than noise: scenes that show them all the same.
 STROKE_SCENES = ("sphere", "skull")
@@ -55,7 +58,8 @@ def draw_clip(studio, filmed, key):
     import pictures
     import scenes
     style = scenes.new_style(key["field"], key["ink"], key["lighting"])
-    frames = studio.inks(filmed["states"], filmed["cameras"], style)
+    states = scenes.prepared(key["field"], filmed["states"])
+    frames = studio.inks(states, filmed["cameras"], style)
     motions = filmed["motions"]
     tone = scenes.TONE if key["lighting"] == "unlit" else None
     metrics = clips.new_metrics(frames, motions, filmed["cells"], studio.reference(key["ink"]), tone)
@@ -126,6 +130,7 @@ EXPLANATION = (
     ("solid", "the same, but the size of its marks follows the distance (dynamic solid texture)"),
     ("similarity", "carried by the similarity of the plane that fits the motion of the surface best "
      "(dynamic 2D pattern)"),
+    ("patches", "the same for every part of the surface, divided automatically, blended across borders"),
     "People ranked such methods by how well patterns move with the surface: texture mapping and solid "
     "textures first, then dynamic 2D patterns and bidirectional advection, then the shower door (Benard "
     "et al. 2010, section 5). The slide ratio should rank them likewise; bidirectional advection is not "
@@ -137,7 +142,8 @@ EXPLANATION = (
     "so that only a comparison with the screen tells something.",
     "Where the model itself deforms, texture and solid slide, for want of texture coordinates. A zoom "
     "covers less than an octave, within which all marks but those of the screen grow with the surface; "
-    "the motion approach, too fast to tell slides, covers three octaves.",
+    "the motion octave covers one, with the change from marks to those of half the size, and approach, "
+    "too fast to tell slides, three.",
 )
 
 

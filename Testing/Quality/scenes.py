@@ -88,6 +88,11 @@ def zoom(frames):
     return [camera_at((0, 0, DISTANCE * 1.026**-s), (0, 0, 0)) for s in steps(frames)]
 
 
+def octave(frames):
+    """A zoom through a whole octave, so that every pattern changes its octave on the way."""
+    return [camera_at((0, 0, DISTANCE * 1.035**-s), (0, 0, 0)) for s in steps(max(frames, 22))]
+
+
 def roll(frames):
     angles = [math.radians(1.8 * s) for s in steps(frames)]
     return [camera_at((0, 0, DISTANCE), (0, 0, 0), (math.sin(a), math.cos(a), 0)) for a in angles]
@@ -114,10 +119,10 @@ def still(frames):
 
 
 # Of the camera. Where the objects move it is still.
-MOTIONS = {"translate": translate, "rotate": rotate, "zoom": zoom, "roll": roll, "walk": walk,
-           "approach": approach, "deform": still, "scale": still}
-# Only for the scenes that are large enough.
-LARGE = {"approach": ("plane",)}
+MOTIONS = {"translate": translate, "rotate": rotate, "zoom": zoom, "octave": octave, "roll": roll,
+           "walk": walk, "approach": approach, "deform": still, "scale": still}
+# Only for some scenes: those that are large enough, and those that tell all there is to tell.
+CHOSEN = {"approach": ("plane",), "octave": ("sphere", "ellipsoid")}
 # Too fast to tell slides. All others cover too few octaves to tell how size goes with distance.
 FAST = {"approach"}
 
@@ -132,19 +137,57 @@ def path(scene, motion, surfaces, frames):
     """Surfaces and camera of every frame, None where the scene does not have this motion."""
     cameras = MOTIONS[motion](frames)
     if motion not in DEFORMATIONS:
-        here = scene in LARGE.get(motion, (scene,))
+        here = scene in CHOSEN.get(motion, (scene,))
         return ([surfaces] * len(cameras), cameras) if here else None
     deform = DEFORMATIONS[motion].get(scene)
     return (deform(surfaces, frames), cameras) if deform else None
 
 
-# How the pattern moves: a function that sets up a vtkImagePatternLayer.
+# How the pattern moves: a function that sets up a vtkImagePatternLayer. With "patches" by a similarity
+# for each of the patches that patched() makes.
 FIELDS = {
     "screen": lambda layer: layer.SetMotion(layer.FIXED_IN_IMAGE),
     "texture": lambda layer: layer.SetMotion(layer.TEXTURE),
     "solid": lambda layer: layer.SetMotion(layer.DYNAMIC_SOLID),
     "similarity": lambda layer: layer.SetMotion(layer.SIMILARITY),
+    "patches": lambda layer: layer.SetMotion(layer.SIMILARITY),
 }
+PATCHES = 24  # of a surface, from the automatic division
+BLEND_WIDTH = 0.05  # to each side of a border, scene units
+
+
+def patched(states):
+    """The same surfaces, with the patches and blending weights of the first state in all of them."""
+    divided, done = [], {}
+    for surface in states[0]:
+        patches = hachure.vtkSurfacePatches()
+        patches.SetInputData(surface)
+        patches.SetNumberOfPatches(PATCHES)
+        weights = hachure.vtkPatchBlendWeights()
+        weights.SetInputConnection(patches.GetOutputPort())
+        weights.SetWidthModeToDistance()
+        weights.SetDistance(BLEND_WIDTH)
+        weights.Update()
+        divided.append(weights.GetOutput())
+
+    def of(surface, source):
+        if surface not in done:
+            done[surface] = surface.NewInstance()
+            done[surface].ShallowCopy(surface)
+            done[surface].GetCellData().AddArray(source.GetCellData().GetArray("PatchId"))
+            for name in ("BlendPatches", "BlendWeights"):
+                done[surface].GetPointData().AddArray(source.GetPointData().GetArray(name))
+        return done[surface]
+
+    return [[of(*pair) for pair in zip(surfaces, divided)] for surfaces in states]
+
+
+# What a field needs beside the surfaces.
+PREPARATIONS = {"patches": patched}
+
+
+def prepared(field, states):
+    return PREPARATIONS.get(field, lambda same: same)(states)
 
 
 def noise(layer, size=256):

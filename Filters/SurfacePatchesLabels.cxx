@@ -200,6 +200,21 @@ std::vector<std::int64_t> labelsFromArray(
   return labels;
 }
 
+namespace
+{
+/// A check for what vtkExtractSelection cannot extract; debug builds of it abort.
+void requireExtractable(vtkSelectionNode* node, unsigned int index)
+{
+  const int content = node->GetContentType();
+  if (content < vtkSelectionNode::GLOBALIDS || content > vtkSelectionNode::BLOCK_SELECTORS)
+  {
+    const char* name = content < 0 ? "none" : vtkSelectionNode::GetContentTypeAsString(content);
+    throw std::invalid_argument("Selection node " + std::to_string(index) +
+      " has the content type " + name + "; expected one from GLOBALIDS to BLOCK_SELECTORS, as ids");
+  }
+}
+} // namespace
+
 std::vector<std::int64_t> labelsFromSelection(
   const PatchSurface& surface, vtkDataObject* input, vtkSelection* selection)
 {
@@ -208,6 +223,7 @@ std::vector<std::int64_t> labelsFromSelection(
   {
     vtkNew<vtkSelectionNode> node;
     node->ShallowCopy(selection->GetNode(i));
+    requireExtractable(node, i);
     if (node->GetFieldType() == vtkSelectionNode::POINT)
     {
       node->GetProperties()->Set(vtkSelectionNode::CONTAINING_CELLS(), 1);

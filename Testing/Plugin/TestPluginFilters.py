@@ -2,14 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The filters of the plugin run in ParaView, with their properties passed on."""
 
-import sys
-
+import pattern_scene as scene
 from paraview import servermanager, simple
 
-simple.LoadPlugin(sys.argv[1], remote=False)
-
 sphere = simple.Sphere(ThetaResolution=40, PhiResolution=30)
-samples = simple.HachureSurfaceSamples(Input=sphere)
+samples = scene.HachureSurfaceSamples(Input=sphere)
 for wanted in (500, 2000):
     samples.SamplesPerPatch = wanted
     data = servermanager.Fetch(samples)
@@ -17,21 +14,27 @@ for wanted in (500, 2000):
 for name in ("Normals", "Barycentrics", "PatchId", "SampleId"):
     assert data.GetPointData().HasArray(name), name
 
-image = simple.HachurePatternImage(Pattern="Halftone", Size=128, Periods=16)
+image = scene.HachurePatternImage(Pattern="Halftone", Size=128, Periods=16)
 data = servermanager.Fetch(image)
 assert data.GetDimensions() == (128, 128, 1), data.GetDimensions()
 assert data.GetFieldData().GetArray("Periods").GetValue(0) == 16
 low, high = data.GetPointData().GetArray("Screen").GetRange()
 assert 0 <= low < 0.1 and 0.9 < high <= 1, (low, high)
 
-patches = simple.HachureSurfacePatches(Input=sphere, NumberOfPatches=7)
+patches = scene.HachureSurfacePatches(Input=sphere, NumberOfPatches=7)
 assert servermanager.Fetch(patches).GetCellData().GetArray("PatchId").GetRange() == (0, 6)
-weights = simple.HachurePatchBlendWeights(Input=patches, Rings=2)
+weights = scene.HachurePatchBlendWeights(Input=patches, Rings=2)
 data = servermanager.Fetch(weights).GetPointData()
 assert data.GetArray("BlendPatches").GetRange(0) == (0, 6)
 assert 0.2 < data.GetArray("BlendWeights").GetRange(0)[0] < 0.6
 
-picked = simple.SelectionQuerySource(QueryString="id < 5", FieldType="CELL")
-patches = simple.HachureSurfacePatches(Input=sphere, Selection=picked, Method="Selection")
+picked = simple.IDSelectionSource(IDs=[value for cell in range(5) for value in (-1, cell)], FieldType="CELL")
+patches = scene.HachureSurfacePatches(Input=sphere, Selection=picked, Method="Selection")
 values = servermanager.Fetch(patches).GetCellData().GetArray("PatchId")
 assert [values.GetValue(i) for i in range(7)] == [1] * 5 + [0] * 2
+
+# Queries have to be frozen first.
+query = simple.SelectionQuerySource(QueryString="id < 5")
+with scene.Messages() as messages:
+    scene.HachureSurfacePatches(Input=sphere, Selection=query, Method="Selection").UpdatePipeline()
+assert messages.text.count("Selection node 0 has the content type QUERY") == 1, messages.text

@@ -10,6 +10,8 @@
 #include "vtkPatternMapper.h"
 #include "vtkPatternStyle.h"
 #include "vtkPatternTone.h"
+#include "vtkRepresentationPatches.h"
+#include "vtkSurfacePatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +29,24 @@ double WithinTurn(double degrees)
 std::string Text(const char* text)
 {
   return text ? text : "";
+}
+
+// The method of vtkSurfacePatches for patches that are made here.
+int MethodOf(int patches)
+{
+  switch (patches)
+  {
+    case vtkPatternRepresentation::ARRAY:
+      return vtkSurfacePatches::ARRAY;
+    case vtkPatternRepresentation::CONNECTED:
+      return vtkSurfacePatches::CONNECTED;
+    case vtkPatternRepresentation::BLOCKS:
+      return vtkSurfacePatches::BLOCK;
+    case vtkPatternRepresentation::CREASES:
+      return vtkSurfacePatches::CREASE;
+    default:
+      return vtkSurfacePatches::AUTOMATIC;
+  }
 }
 } // namespace
 
@@ -46,8 +66,14 @@ vtkPatternRepresentation::vtkPatternRepresentation()
   this->LODMapper = mapperLOD;
   this->SetArrayIdNames(nullptr, nullptr);
   this->SetupDefaults();
+  this->Patches = vtkSmartPointer<vtkRepresentationPatches>::New();
+  this->Patches->SetInputConnection(this->GeometryFilter->GetOutputPort());
+  this->UpdatePatches();
   this->UpdateStyle();
 }
+
+//------------------------------------------------------------------------------
+vtkPatternRepresentation::~vtkPatternRepresentation() = default;
 
 //------------------------------------------------------------------------------
 template <class T>
@@ -179,6 +205,119 @@ void vtkPatternRepresentation::SetPatternTracking(int choice)
 }
 
 //------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternDensities(int densities)
+{
+  this->Change(this->PatternDensities, std::clamp(densities, 0, 4));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternPaperGrain(int choice)
+{
+  this->Change(this->PatternPaperGrain, std::clamp<int>(choice, AS_IN_STYLE, 1));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternPaperContrast(double contrast)
+{
+  this->Change(this->PatternPaperContrast, std::clamp(contrast, 0.0, 1.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternTransition(int choice)
+{
+  this->Change(this->PatternTransition,
+    std::clamp<int>(choice, AS_IN_STYLE, vtkImagePatternLayer::BLEND_SCREENS));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternToneCorrection(int choice)
+{
+  this->Change(this->PatternToneCorrection,
+    std::clamp<int>(choice, AS_IN_STYLE, vtkImagePatternLayer::NO_CORRECTION));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternMotion(int choice)
+{
+  this->Change(
+    this->PatternMotion, std::clamp<int>(choice, AS_IN_STYLE, vtkImagePatternLayer::DYNAMIC_SOLID));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternSurfacePeriod(double period)
+{
+  this->Change(this->PatternSurfacePeriod, std::max(period, 0.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternPatches(int patches)
+{
+  this->ChangePatches(this->PatternPatches, std::clamp<int>(patches, AS_IN_DATA, AUTOMATIC));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternPatchArray(int vtkNotUsed(index), int vtkNotUsed(port),
+  int vtkNotUsed(connection), int vtkNotUsed(association), const char* name)
+{
+  this->ChangePatches(this->PatternPatchArrayName, Text(name));
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPatternRepresentation::GetPatternPatchArrayName()
+{
+  return this->PatternPatchArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternNumberOfPatches(int count)
+{
+  this->ChangePatches(this->PatternNumberOfPatches, std::max(count, 1));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternCreaseAngle(double angle)
+{
+  this->ChangePatches(this->PatternCreaseAngle, std::clamp(angle, 0.0, 180.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternPatchBlend(int rings)
+{
+  this->ChangePatches(this->PatternPatchBlend, std::max(rings, 0));
+}
+
+//------------------------------------------------------------------------------
+template <class T>
+void vtkPatternRepresentation::ChangePatches(T& member, const T& value)
+{
+  if (member != value)
+  {
+    member = value;
+    this->UpdatePatches();
+    this->MarkModified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::UpdatePatches()
+{
+  this->Patches->SetMethod(MethodOf(this->PatternPatches));
+  this->Patches->SetArrayName(this->PatternPatchArrayName);
+  this->Patches->SetNumberOfPatches(this->PatternNumberOfPatches);
+  this->Patches->SetCreaseAngle(this->PatternCreaseAngle);
+  this->Patches->SetRings(this->PatternPatchBlend);
+  vtkAlgorithm* surface = this->Patches;
+  if (this->PatternPatches <= NONE)
+  {
+    surface = this->GeometryFilter;
+  }
+  this->MultiBlockMaker->SetInputConnection(surface->GetOutputPort());
+  const char* const array = this->PatternPatches == NONE ? "" : "PatchId";
+  static_cast<vtkPatternMapper*>(this->Mapper)->SetPatchArrayName(array);
+  static_cast<vtkPatternMapper*>(this->LODMapper)->SetPatchArrayName(array);
+}
+
+//------------------------------------------------------------------------------
 void vtkPatternRepresentation::UpdateColoringParameters()
 {
   this->Superclass::UpdateColoringParameters();
@@ -242,17 +381,49 @@ void vtkPatternRepresentation::AdjustLayer(vtkPatternLayer* layer)
 {
   if (auto* image = vtkImagePatternLayer::SafeDownCast(layer))
   {
-    image->SetSize(image->GetSize() * this->PatternScale);
-    image->SetAngle(WithinTurn(image->GetAngle() + this->PatternAngle));
+    this->AdjustImageLayer(image);
   }
   if (this->PatternInk != AS_IN_STYLE)
   {
     layer->SetColor(this->PatternInkColor);
   }
-  if (this->PatternTone == AS_IN_STYLE)
+  if (this->PatternTone != AS_IN_STYLE)
   {
-    return;
+    this->AdjustTone(layer);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::AdjustImageLayer(vtkImagePatternLayer* layer)
+{
+  layer->SetSize(layer->GetSize() * this->PatternScale);
+  layer->SetAngle(WithinTurn(layer->GetAngle() + this->PatternAngle));
+  if (this->PatternDensities > 0)
+  {
+    layer->SetDensities(this->PatternDensities);
+  }
+  if (this->PatternPaperGrain != AS_IN_STYLE)
+  {
+    layer->SetPaperContrast(this->PatternPaperGrain != 0 ? this->PatternPaperContrast : 0.0);
+  }
+  if (this->PatternTransition != AS_IN_STYLE)
+  {
+    layer->SetTransition(this->PatternTransition);
+  }
+  if (this->PatternToneCorrection != AS_IN_STYLE)
+  {
+    layer->SetToneCorrection(this->PatternToneCorrection);
+  }
+  if (this->PatternMotion != AS_IN_STYLE)
+  {
+    layer->SetMotion(this->PatternMotion);
+    layer->SetSurfacePeriod(this->PatternSurfacePeriod);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::AdjustTone(vtkPatternLayer* layer)
+{
   vtkPatternTone* tone = layer->GetTone();
   tone->SetSource(this->PatternTone);
   if (this->PatternTone == vtkPatternTone::ARRAY)
@@ -291,4 +462,16 @@ void vtkPatternRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PatternOutline: " << this->PatternOutline << "\n";
   os << indent << "PatternOutlineWidth: " << this->PatternOutlineWidth << "\n";
   os << indent << "PatternTracking: " << this->PatternTracking << "\n";
+  os << indent << "PatternDensities: " << this->PatternDensities << "\n";
+  os << indent << "PatternPaperGrain: " << this->PatternPaperGrain << "\n";
+  os << indent << "PatternPaperContrast: " << this->PatternPaperContrast << "\n";
+  os << indent << "PatternTransition: " << this->PatternTransition << "\n";
+  os << indent << "PatternToneCorrection: " << this->PatternToneCorrection << "\n";
+  os << indent << "PatternMotion: " << this->PatternMotion << "\n";
+  os << indent << "PatternSurfacePeriod: " << this->PatternSurfacePeriod << "\n";
+  os << indent << "PatternPatches: " << this->PatternPatches << "\n";
+  os << indent << "PatternPatchArrayName: " << this->PatternPatchArrayName << "\n";
+  os << indent << "PatternNumberOfPatches: " << this->PatternNumberOfPatches << "\n";
+  os << indent << "PatternCreaseAngle: " << this->PatternCreaseAngle << "\n";
+  os << indent << "PatternPatchBlend: " << this->PatternPatchBlend << "\n";
 }

@@ -8,13 +8,18 @@
  * detail looks on, so that interaction never moves the patterns of the next full picture. Backfaces
  * that are given a representation of their own are drawn as ParaView draws them.
  *
+ * Patches are made of the surface that is drawn, between the filter that extracts it and the
+ * mappers, so that pictures of low detail have the same ones. Each process divides the part of the
+ * surface that it holds.
+ *
  * What is drawn is made of a style, a preset or a file, and of what the other properties replace in
  * all of its layers. They start neutral: a property of the type Choice at AS_IN_STYLE leaves the
  * style as it is, as do PatternScale 1 and PatternAngle 0, and a colour, an array, a range or a
  * width counts only when the choice that it belongs to asks for it. A new representation therefore
  * shows its style exactly.
  *
- * No setter executes the pipeline again: the style is made anew before the next picture.
+ * Setters of patches execute the pipeline of the surface again. No other one does: the style is
+ * made anew before the next picture.
  *
  * @sa vtkPatternMapper vtkPatternStyle
  */
@@ -23,11 +28,14 @@
 
 #include "HachureRepresentationsModule.h"
 #include "vtkGeometryRepresentationWithFaces.h"
+#include "vtkSmartPointer.h" // For the patches
 
 #include <string>
 
+class vtkImagePatternLayer;
 class vtkPatternLayer;
 class vtkPatternStyle;
+class vtkRepresentationPatches;
 
 class HACHUREREPRESENTATIONS_EXPORT vtkPatternRepresentation
   : public vtkGeometryRepresentationWithFaces
@@ -39,6 +47,18 @@ public:
 
   /** First value of every choice. */
   static constexpr int AS_IN_STYLE = -1;
+
+  /** Where patches, each of which moves its own pattern, come from. */
+  enum PatchesType
+  {
+    AS_IN_DATA = -1, //!< the cell array PatchId of the data, one patch where there is none
+    NONE = 0,        //!< one patch, whatever the data say
+    ARRAY = 1,       //!< a patch for every value of PatternPatchArray
+    CONNECTED = 2,   //!< a patch for every region that hangs together
+    BLOCKS = 3,      //!< a patch for every block
+    CREASES = 4,     //!< regions between edges sharper than PatternCreaseAngle
+    AUTOMATIC = 5    //!< PatternNumberOfPatches compact patches
+  };
 
   ///@{
   /** Name of the built-in style that is drawn, unless there is a PatternStyleFile. An unknown one
@@ -142,9 +162,95 @@ public:
   vtkGetMacro(PatternTracking, int);
   ///@}
 
+  ///@{
+  /** Densities of strokes of hatching in all layers: 0 as in the style, 1 for strokes that grow
+   * wider with the tone, 2 to 4 for that many densities of strokes of one width. Default 0. */
+  void SetPatternDensities(int densities);
+  vtkGetMacro(PatternDensities, int);
+  ///@}
+
+  ///@{
+  /** Whether the grain of paper shows in the marks of all layers: AS_IN_STYLE, 0 (no) or 1 (yes, by
+   * PatternPaperContrast). Default AS_IN_STYLE. */
+  void SetPatternPaperGrain(int choice);
+  vtkGetMacro(PatternPaperGrain, int);
+  ///@}
+
+  ///@{
+  /** Part of the grain in deciding where ink goes first, where PatternPaperGrain is 1: 0 (smooth)
+   * to 1 (the grain alone). Default 0.5. */
+  void SetPatternPaperContrast(double contrast);
+  vtkGetMacro(PatternPaperContrast, double);
+  ///@}
+
+  ///@{
+  /** How the marks of half the size take over while zooming: AS_IN_STYLE, or vtkImagePatternLayer's
+   * AUTOMATIC_TRANSITION (0), CROSS_FADE (1) or BLEND_SCREENS (2). Default AS_IN_STYLE. */
+  void SetPatternTransition(int choice);
+  vtkGetMacro(PatternTransition, int);
+  ///@}
+
+  ///@{
+  /** Which difference between tone and ink is removed: AS_IN_STYLE, or vtkImagePatternLayer's
+   * FULL_CORRECTION (0), TRANSITION_ONLY (1) or NO_CORRECTION (2). Default AS_IN_STYLE. */
+  void SetPatternToneCorrection(int choice);
+  vtkGetMacro(PatternToneCorrection, int);
+  ///@}
+
+  ///@{
+  /** How the patterns of all layers move: AS_IN_STYLE, or vtkImagePatternLayer's SIMILARITY (0),
+   * FIXED_IN_IMAGE (1), TEXTURE (2) or DYNAMIC_SOLID (3). Default AS_IN_STYLE. */
+  void SetPatternMotion(int choice);
+  vtkGetMacro(PatternMotion, int);
+  ///@}
+
+  ///@{
+  /** Period of the patterns on the surface where PatternMotion is TEXTURE or DYNAMIC_SOLID, in the
+   * units of the data, or of the texture coordinates if there are some. Not below 0; 0 derives it
+   * from the bounds. Default 0. */
+  void SetPatternSurfacePeriod(double period);
+  vtkGetMacro(PatternSurfacePeriod, double);
+  ///@}
+
+  ///@{
+  /** Where patches come from, one of PatchesType; default AS_IN_DATA. What cannot be had, as an
+   * array of fractions, is an error; the surface is then drawn with the patches of its data. */
+  void SetPatternPatches(int patches);
+  vtkGetMacro(PatternPatches, int);
+  ///@}
+
+  ///@{
+  /** Array for ARRAY, as vtkAlgorithm names arrays; only the name counts: a cell array or, where
+   * none has this name, a point array, of whole numbers or strings. Default: none, which is an
+   * error with ARRAY. */
+  void SetPatternPatchArray(int index, int port, int connection, int association, const char* name);
+  const char* GetPatternPatchArrayName();
+  ///@}
+
+  ///@{
+  /** Number of patches for AUTOMATIC, at least 1. Default 16. */
+  void SetPatternNumberOfPatches(int count);
+  vtkGetMacro(PatternNumberOfPatches, int);
+  ///@}
+
+  ///@{
+  /** Largest angle between cells that stay together for CREASES, in degrees. Range 0 to 180,
+   * default 30. */
+  void SetPatternCreaseAngle(double angle);
+  vtkGetMacro(PatternCreaseAngle, double);
+  ///@}
+
+  ///@{
+  /** Rings of points, on each side of a border, over which the patterns of two patches fade into
+   * each other; 0 for sharp borders. Patches as in the data have the weights of the data instead.
+   * Not below 0, default 2. */
+  void SetPatternPatchBlend(int rings);
+  vtkGetMacro(PatternPatchBlend, int);
+  ///@}
+
 protected:
   vtkPatternRepresentation();
-  ~vtkPatternRepresentation() override = default;
+  ~vtkPatternRepresentation() override;
 
   void UpdateColoringParameters() override;
 
@@ -154,10 +260,15 @@ private:
 
   template <class T>
   void Change(T& member, const T& value);
+  template <class T>
+  void ChangePatches(T& member, const T& value);
+  void UpdatePatches();
   void UpdateStyle();
   bool LoadStyle(vtkPatternStyle* style);
   void AdjustStyle(vtkPatternStyle* style);
   void AdjustLayer(vtkPatternLayer* layer);
+  void AdjustImageLayer(vtkImagePatternLayer* layer);
+  void AdjustTone(vtkPatternLayer* layer);
 
   bool StyleChanged = true;
   std::string PatternStyle;
@@ -176,6 +287,19 @@ private:
   int PatternOutline = AS_IN_STYLE;
   double PatternOutlineWidth = 1.5;
   int PatternTracking = AS_IN_STYLE;
+  int PatternDensities = 0;
+  int PatternPaperGrain = AS_IN_STYLE;
+  double PatternPaperContrast = 0.5;
+  int PatternTransition = AS_IN_STYLE;
+  int PatternToneCorrection = AS_IN_STYLE;
+  int PatternMotion = AS_IN_STYLE;
+  double PatternSurfacePeriod = 0.0;
+  vtkSmartPointer<vtkRepresentationPatches> Patches;
+  int PatternPatches = AS_IN_DATA;
+  std::string PatternPatchArrayName;
+  int PatternNumberOfPatches = 16;
+  double PatternCreaseAngle = 30.0;
+  int PatternPatchBlend = 2;
 };
 
 #endif

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Divides the surface of a representation into patches, and adds the weights by which patterns fade
+ * across their borders: vtkSurfacePatches, then vtkPatchBlendWeights.
+ *
+ * Where that fails, after the error of the filter that failed, the surface passes undivided. A
+ * surface without cells, which processes without data have, passes silently.
+ */
+#ifndef vtkRepresentationPatches_h
+#define vtkRepresentationPatches_h
+
+#include "vtkPassInputTypeAlgorithm.h"
+
+#include <string>
+
+class vtkRepresentationPatches : public vtkPassInputTypeAlgorithm
+{
+public:
+  static vtkRepresentationPatches* New();
+  vtkTypeMacro(vtkRepresentationPatches, vtkPassInputTypeAlgorithm);
+
+  ///@{
+  /// As in vtkSurfacePatches.
+  vtkSetMacro(Method, int);
+  vtkSetMacro(ArrayName, std::string);
+  vtkSetMacro(NumberOfPatches, int);
+  vtkSetMacro(CreaseAngle, double);
+  ///@}
+
+  /// As in vtkPatchBlendWeights; 0 for sharp borders.
+  vtkSetMacro(Rings, int);
+
+protected:
+  vtkRepresentationPatches() = default;
+  ~vtkRepresentationPatches() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkRepresentationPatches(const vtkRepresentationPatches&) = delete;
+  void operator=(const vtkRepresentationPatches&) = delete;
+
+  int Method = 0;
+  std::string ArrayName;
+  int NumberOfPatches = 1;
+  double CreaseAngle = 0.0;
+  int Rings = 0;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkRepresentationPatches.h

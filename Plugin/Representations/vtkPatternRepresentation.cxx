@@ -250,6 +250,59 @@ void vtkPatternRepresentation::SetPatternSurfacePeriod(double period)
 }
 
 //------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternLockRotation(int choice)
+{
+  this->Change(this->PatternLockRotation, std::clamp<int>(choice, AS_IN_STYLE, 1));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternLockScale(int choice)
+{
+  this->Change(this->PatternLockScale, std::clamp<int>(choice, AS_IN_STYLE, 1));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternWeights(int choice)
+{
+  this->Change(
+    this->PatternWeights, std::clamp<int>(choice, AS_IN_STYLE, vtkPatternStyle::PERCEPTUAL));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternFeatures(int source)
+{
+  this->Change(this->PatternFeatures,
+    std::clamp<int>(source, vtkPatternStyle::CURVATURE, vtkPatternStyle::ARRAY));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternFeatureArray(int vtkNotUsed(index), int vtkNotUsed(port),
+  int vtkNotUsed(connection), int vtkNotUsed(association), const char* name)
+{
+  this->Change(this->PatternFeatureArrayName, Text(name));
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPatternRepresentation::GetPatternFeatureArrayName()
+{
+  return this->PatternFeatureArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternVelocityArray(const char* name)
+{
+  this->PatternVelocityArray = Text(name);
+  const std::string array = this->PatternVelocityArray == "None" ? "" : this->PatternVelocityArray;
+  static_cast<vtkPatternMapper*>(this->Mapper)->SetVelocityArrayName(array);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPatternRepresentation::GetPatternVelocityArray()
+{
+  return this->PatternVelocityArray.c_str();
+}
+
+//------------------------------------------------------------------------------
 void vtkPatternRepresentation::SetPatternPatches(int patches)
 {
   this->ChangePatches(this->PatternPatches, std::clamp<int>(patches, AS_IN_DATA, AUTOMATIC));
@@ -370,9 +423,29 @@ void vtkPatternRepresentation::AdjustStyle(vtkPatternStyle* style)
     style->SetOutlineWidth(this->PatternOutlineWidth);
     style->SetOutlineWidthUnit(vtkPatternLayer::PIXELS);
   }
+  this->AdjustMotion(style);
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::AdjustMotion(vtkPatternStyle* style)
+{
   if (this->PatternTracking != AS_IN_STYLE)
   {
     style->SetTrackingMode(this->PatternTracking);
+  }
+  if (this->PatternLockRotation != AS_IN_STYLE)
+  {
+    style->SetLockRotation(this->PatternLockRotation != 0);
+  }
+  if (this->PatternLockScale != AS_IN_STYLE)
+  {
+    style->SetLockScale(this->PatternLockScale != 0);
+  }
+  if (this->PatternWeights != AS_IN_STYLE)
+  {
+    style->SetWeightScheme(this->PatternWeights);
+    style->SetFeatureSource(this->PatternFeatures);
+    style->SetFeatureArrayName(this->PatternFeatureArrayName);
   }
 }
 
@@ -469,6 +542,12 @@ void vtkPatternRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PatternToneCorrection: " << this->PatternToneCorrection << "\n";
   os << indent << "PatternMotion: " << this->PatternMotion << "\n";
   os << indent << "PatternSurfacePeriod: " << this->PatternSurfacePeriod << "\n";
+  os << indent << "PatternLockRotation: " << this->PatternLockRotation << "\n";
+  os << indent << "PatternLockScale: " << this->PatternLockScale << "\n";
+  os << indent << "PatternWeights: " << this->PatternWeights << "\n";
+  os << indent << "PatternFeatures: " << this->PatternFeatures << "\n";
+  os << indent << "PatternFeatureArrayName: " << this->PatternFeatureArrayName << "\n";
+  os << indent << "PatternVelocityArray: " << this->PatternVelocityArray << "\n";
   os << indent << "PatternPatches: " << this->PatternPatches << "\n";
   os << indent << "PatternPatchArrayName: " << this->PatternPatchArrayName << "\n";
   os << indent << "PatternNumberOfPatches: " << this->PatternNumberOfPatches << "\n";

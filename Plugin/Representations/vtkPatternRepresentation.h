@@ -213,6 +213,44 @@ public:
   ///@}
 
   ///@{
+  /** Whether patterns keep their direction, or their size, in the image, while they still follow
+   * the surface's place: AS_IN_STYLE, 0 (no) or 1 (yes). Default AS_IN_STYLE. */
+  void SetPatternLockRotation(int choice);
+  vtkGetMacro(PatternLockRotation, int);
+  void SetPatternLockScale(int choice);
+  vtkGetMacro(PatternLockScale, int);
+  ///@}
+
+  ///@{
+  /** Which parts of the surface count most for the motion: AS_IN_STYLE, or vtkPatternStyle's
+   * SYMMETRIC (0), CLASSIC (1), UNWEIGHTED (2) or PERCEPTUAL (3). Default AS_IN_STYLE. */
+  void SetPatternWeights(int choice);
+  vtkGetMacro(PatternWeights, int);
+  ///@}
+
+  ///@{
+  /** Features that count where PatternWeights is PERCEPTUAL: vtkPatternStyle's CURVATURE (0), TONE
+   * (1) or ARRAY (2, PatternFeatureArray). Default CURVATURE. */
+  void SetPatternFeatures(int source);
+  vtkGetMacro(PatternFeatures, int);
+  ///@}
+
+  ///@{
+  /** Array for the features ARRAY, as vtkAlgorithm names arrays; only the name counts: a point or
+   * else cell array of one component, not below 0. Default: none, which is an error with ARRAY. */
+  void SetPatternFeatureArray(
+    int index, int port, int connection, int association, const char* name);
+  const char* GetPatternFeatureArrayName();
+  ///@}
+
+  ///@{
+  /** Point array with the velocity of the surface, see vtkPatternMapper::SetVelocityArrayName();
+   * "None" for none, the default. */
+  void SetPatternVelocityArray(const char* name);
+  const char* GetPatternVelocityArray();
+  ///@}
+
+  ///@{
   /** Where patches come from, one of PatchesType; default AS_IN_DATA. What cannot be had, as an
    * array of fractions, is an error; the surface is then drawn with the patches of its data. */
   void SetPatternPatches(int patches);
@@ -266,6 +304,7 @@ private:
   void UpdateStyle();
   bool LoadStyle(vtkPatternStyle* style);
   void AdjustStyle(vtkPatternStyle* style);
+  void AdjustMotion(vtkPatternStyle* style);
   void AdjustLayer(vtkPatternLayer* layer);
   void AdjustImageLayer(vtkImagePatternLayer* layer);
   void AdjustTone(vtkPatternLayer* layer);
@@ -294,6 +333,12 @@ private:
   int PatternToneCorrection = AS_IN_STYLE;
   int PatternMotion = AS_IN_STYLE;
   double PatternSurfacePeriod = 0.0;
+  int PatternLockRotation = AS_IN_STYLE;
+  int PatternLockScale = AS_IN_STYLE;
+  int PatternWeights = AS_IN_STYLE;
+  int PatternFeatures = 0;
+  std::string PatternFeatureArrayName;
+  std::string PatternVelocityArray = "None";
   vtkSmartPointer<vtkRepresentationPatches> Patches;
   int PatternPatches = AS_IN_DATA;
   std::string PatternPatchArrayName;

@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Options that replace parts of a style in all layers do what they say."""
 
-import math
-
 import pattern_scene as scene
 from paraview import simple
 
@@ -60,20 +58,3 @@ for style, natural, other in (
     usual = draw(zoom, PatternStyle=style)
     assert same(usual, draw(zoom, PatternStyle=style, PatternTransition=natural)), style
     assert scene.difference(usual[-1], draw(zoom, PatternStyle=style, PatternTransition=other)[-1]) > 1, style
-
-# A pattern that is fixed in the image stays where it is while the camera moves; others do not.
-aside = [(0, 0, 3), (0.05, 0, 3)]
-fixed = draw(aside, PatternMotion="Fixed in image")
-assert (fixed[0] == fixed[1]).all()
-for motion in "Similarity", "Texture", "Dynamic solid":
-    moving = draw(aside, name="options-" + motion.replace(" ", "-"), PatternMotion=motion)
-    assert scene.difference(moving[0], moving[1]) > 5, motion
-assert same(draw(aside), draw(aside, PatternMotion="Similarity", PatternSurfacePeriod=0.2))
-
-# A period on the surface counts in its texture coordinates, 1 over the whole plane.
-seen = 2 * 3 * math.tan(math.radians(15)) / 4
-for period in 0.05, 0.1:
-    lines = draw(PatternStyle="hatch", PatternAngle=-45, PatternMotion="Texture", PatternSurfacePeriod=period)
-    column = lines[0][:, 60, 0] < 128
-    strokes = (column[1:] & ~column[:-1]).sum()
-    assert abs(strokes - seen / period) <= 1, (period, strokes)

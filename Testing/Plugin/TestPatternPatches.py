@@ -20,7 +20,7 @@ def draw(source=sides, name=None, **properties):
     """A picture of the source in a view of its own, after a turn of the camera."""
     where = scene.view((240, 160))
     scene.show(source, where, **properties)
-    for turn in -0.5, -0.25, 0.0:
+    for turn in -0.4, 0.0:
         scene.look(where, numpy.add(POSITION, (turn, 0, 0)), up=(turn, 1, 0), angle=24)
         shown = scene.picture(where, name)
     simple.Delete(where)

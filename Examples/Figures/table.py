@@ -22,7 +22,7 @@ def turned(profile, waves=0.0):
     grid = vtk.vtkStructuredGrid()
     grid.SetDimensions(145, len(profile), 1)
     grid.SetPoints(points)
-    surface = vtk.vtkGeometryFilter()
+    surface = vtk.vtkStructuredGridGeometryFilter()  # keeps the order of cells
     surface.SetInputData(grid)
     normals = vtk.vtkPolyDataNormals()
     normals.SetInputConnection(surface.GetOutputPort())

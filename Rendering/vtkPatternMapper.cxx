@@ -358,7 +358,20 @@ double vtkPatternMapper::GetResidual(vtkRenderer* renderer)
 {
   vtkPatternViewContext* context = vtkPatternViewContext::Find(renderer);
   auto* track = context ? context->FindTrack(this, nullptr) : nullptr;
-  return track && !track->Tracker.residual().empty() ? track->Tracker.residual()[0] : -1.0;
+  if (!track || track->Tracker.residual().empty())
+  {
+    return -1.0;
+  }
+  const auto residuals = track->Tracker.residual();
+  const auto weights = track->Tracker.residualWeight();
+  double sum = 0.0;
+  double weight = 0.0;
+  for (std::size_t patch = 0; patch < residuals.size(); ++patch)
+  {
+    sum += weights[patch] * residuals[patch];
+    weight += weights[patch];
+  }
+  return weight > 0.0 ? sum / weight : 0.0;
 }
 
 bool vtkPatternMapper::GetPatchResiduals(

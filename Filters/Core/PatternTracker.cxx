@@ -189,6 +189,7 @@ void PatternTracker::start(const TrackedSamples& samples, Picture picture)
   this->seen.assign(this->patchTotal, 0);
   this->markSeen(anchors.frontWeights);
   this->stepResidual.assign(this->patchTotal, 0.0);
+  this->stepWeight.assign(this->patchTotal, 0.0);
   this->stepStatus.assign(this->patchTotal, FitStatus::NoSamples);
   this->commitment.clear();
   this->now = std::move(picture);
@@ -212,6 +213,7 @@ void PatternTracker::replaceSamples(const TrackedSamples& samples)
   picture.anchored.assign(this->patchTotal, 0);
   this->seen.resize(this->patchTotal, 0); // patches that are new anchor when they are seen
   this->stepResidual.resize(this->patchTotal, 0.0);
+  this->stepWeight.resize(this->patchTotal, 0.0);
   this->stepStatus.resize(this->patchTotal, FitStatus::NoSamples);
   this->commitment.clear();
   this->now = std::move(picture);
@@ -275,6 +277,7 @@ void PatternTracker::measureStep(const Picture& picture, Step& step)
   for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
   {
     this->stepResidual[patch] = step.patches.fits[patch].residual;
+    this->stepWeight[patch] = step.patches.fits[patch].weight;
     this->stepStatus[patch] = step.patches.fits[patch].status;
   }
 }

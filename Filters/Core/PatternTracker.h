@@ -74,6 +74,8 @@ public:
   Span<const PatternFrame> committed() const;
   // Weighted mean distance in pixels by which the pattern slid over the surface in the drawn step.
   Span<const double> residual() const { return this->stepResidual; }
+  // The weight of the samples that the residual of each patch is the mean over.
+  Span<const double> residualWeight() const { return this->stepWeight; }
   // The same over the samples that are turned to the eye by at least minimumFacing in the drawn
   // frame; -1 = all of them, else n.v. `samples` are those of the last advance. Empty before the
   // first frame. Throws std::invalid_argument on other samples and a limit outside [-1, 1].
@@ -127,6 +129,7 @@ private:
     commitment;                   // frames of `now` with its own visibility; empty until known
   std::vector<std::uint8_t> seen; // per patch
   std::vector<double> stepResidual;
+  std::vector<double> stepWeight;
   std::vector<FitStatus> stepStatus;
   bool started = false;
 };

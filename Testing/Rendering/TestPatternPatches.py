@@ -6,6 +6,8 @@ import hachure
 import numpy
 import patch_scene
 import pattern_scene as scene
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkTable
 
 HATCH, CROSS_HATCH, HALFTONE = 0, 1, 2
 
@@ -50,6 +52,12 @@ def test_each_patch_moves_by_itself():
     left, right = (scene.frame_scale(now) / scene.frame_scale(then)
                    for now, then in zip(patch_frames(actor, renderer, 2), start))
     assert left / right > 1.1, (left, right)
+    table = vtkTable()
+    assert actor.GetMapper().GetPatchResiduals(renderer, -1.0, table)
+    residuals, weights = (vtk_to_numpy(table.GetColumnByName(name)) for name in ("Residual", "Weight"))
+    assert len(residuals) == 2 and residuals.min() > 0.01, residuals
+    mean = (residuals * weights).sum() / weights.sum()
+    assert abs(actor.GetMapper().GetResidual(renderer) - mean) < 1e-3 * mean, (residuals, weights)
     frame = [0.0] * 6
     assert not actor.GetMapper().GetDrawnFrame(renderer, 2, frame)
     assert not actor.GetMapper().GetDrawnFrame(renderer, -1, frame)

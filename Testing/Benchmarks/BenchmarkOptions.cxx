@@ -102,7 +102,8 @@ std::vector<LayerConfiguration> toLayers(const std::string& text)
   std::string known;
   for (const LayerConfiguration& layer : knownLayers())
   {
-    known += (known.empty() ? "" : ", ") + layer.layer;
+    known += known.empty() ? "" : ", ";
+    known += layer.layer;
   }
   for (const std::string& part : split(text, ','))
   {
@@ -116,7 +117,9 @@ std::vector<LayerConfiguration> toLayers(const std::string& text)
     }
     if (layers.size() == before)
     {
-      throw UserError("unknown layer '" + part + "'; known: " + known);
+      std::string problem = "unknown layer '";
+      problem.append(part).append("'; known: ").append(known);
+      throw UserError(problem);
     }
   }
   if (layers.empty())

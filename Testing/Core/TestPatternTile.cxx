@@ -67,7 +67,8 @@ TEST(PatternTile, RuledHatchIsTheKernel)
   const float step = 2.0f * tile.periods / tile.height; // between two rows of texels
   for (int i = 0; i < tile.width * tile.height; ++i)
   {
-    const float y = (static_cast<float>(i / tile.width) + 0.5f) / tile.height * tile.periods;
+    const int row = i / tile.width;
+    const float y = (static_cast<float>(row) + 0.5f) / tile.height * tile.periods;
     ASSERT_NEAR(tile.screen[i], glsl::hatchScreen(glm::vec2(0.0f, y)), 0.01f * step);
     ASSERT_NEAR(tile.gradient[i], step, 0.01f * step);
   }
@@ -109,10 +110,10 @@ TEST(PatternTile, CrossHatchBeginsAsHatch)
 
 TEST(PatternTile, ImagesOfAnyShapeAndFewLevels)
 {
-  std::vector<float> grey;
-  for (int i = 0; i < 15 * 7; ++i)
+  std::vector<float> grey(15 * 7);
+  for (std::size_t i = 0; i < grey.size(); ++i)
   {
-    grey.push_back(static_cast<float>(i * i % 4));
+    grey[i] = static_cast<float>(i * i % 4);
   }
   const PatternTile tile = imageTile(grey, 15, 7, 2);
   EXPECT_EQ(tile.levels, 2); // squares are 0 or 1 modulo 4

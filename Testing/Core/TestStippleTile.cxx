@@ -43,7 +43,9 @@ std::vector<Blob> blobsAt(const PatternTile& tile, double tone)
       continue;
     }
     Blob blob;
-    std::vector<TorusPoint> pending{ { start % size + 0.0, start / size + 0.0 } }; // not wrapped
+    const int row = start / size;
+    const int column = start % size;
+    std::vector<TorusPoint> pending{ { column + 0.0, row + 0.0 } }; // not wrapped
     open[start] = 0;
     double sumX = 0.0;
     double sumY = 0.0;

@@ -41,6 +41,7 @@ void addInk(const std::vector<PatternTile>& mips, const ToneTable& table, double
   constexpr std::int64_t places = 75025;
   constexpr std::int64_t stride = 28657;
   std::vector<float> thresholds;
+  thresholds.reserve(someTones.size());
   for (const double tone : someTones)
   {
     thresholds.push_back(static_cast<float>(toneThreshold(table, tone, scale)));
@@ -106,7 +107,8 @@ PatternTile userTile()
   for (std::size_t i = 0; i < grey.size(); ++i)
   {
     const auto x = static_cast<double>(i % tileSize);
-    const auto y = static_cast<double>(i / tileSize);
+    const std::size_t row = i / tileSize;
+    const auto y = static_cast<double>(row);
     const double wave = 1.0 + std::sin(x * 0.1) * std::sin(y * 0.07) + unitRandom(1, i, 0);
     grey[i] = static_cast<float>(std::floor(wave * wave * 3.0));
   }

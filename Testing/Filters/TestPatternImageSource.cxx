@@ -246,7 +246,10 @@ bool wrongInputIsRefused()
 
 int TestPatternImageSource(int, char*[])
 {
-  const bool good = patternsAreUniform() & picturesKeepTheirOrder() & paintLeadsToItsDabs() &
-    fewLevelsAreNoted() & wrongInputIsRefused();
+  bool good = patternsAreUniform();
+  good &= picturesKeepTheirOrder();
+  good &= paintLeadsToItsDabs();
+  good &= fewLevelsAreNoted();
+  good &= wrongInputIsRefused();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -60,7 +60,7 @@ int expectPatchError(vtkDataObject* input, int method, const char* array, const 
 template <class ArrayType>
 vtkSmartPointer<ArrayType> makeArray(int values, int components = 1)
 {
-  const auto array = vtkSmartPointer<ArrayType>::New();
+  auto array = vtkSmartPointer<ArrayType>::New();
   array->SetName("region");
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(values);

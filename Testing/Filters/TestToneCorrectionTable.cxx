@@ -128,5 +128,7 @@ bool wrongInputIsRefused()
 
 int TestToneCorrectionTable(int, char*[])
 {
-  return agreesWithTheClosedForm() & wrongInputIsRefused() ? EXIT_SUCCESS : EXIT_FAILURE;
+  bool good = agreesWithTheClosedForm();
+  good &= wrongInputIsRefused();
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -133,8 +133,9 @@ std::string vtkImagePatternLayerPainter::GetDeclarations(bool patches) const
     const std::string name = part.first;
     for (const std::string place : { "Dec", "Impl" })
     {
-      vtkShaderProgram::Substitute(text, "//Hachure::" + name + "::" + place,
-        part.second ? section(name + place) : std::string());
+      std::string tag = "//Hachure::";
+      tag.append(name).append("::").append(place);
+      vtkShaderProgram::Substitute(text, tag, part.second ? section(name + place) : std::string());
     }
   }
   return text;

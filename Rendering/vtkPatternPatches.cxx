@@ -64,8 +64,9 @@ std::string Complaint(vtkAbstractArray* found, vtkIdType cells, int& largest, st
            << hachure::maximumDrawnPatches;
       return text.str();
     }
-    largest = std::max(largest, static_cast<int>(value));
-    hash = Mix(hash, static_cast<std::uint64_t>(value + 1.0));
+    const int patch = static_cast<int>(std::max(value, -1.0)); // all negative numbers are alike
+    largest = std::max(largest, patch);
+    hash = Mix(hash, static_cast<std::uint64_t>(patch + 1));
   }
   return {};
 }
@@ -185,7 +186,7 @@ void vtkPatternPatches::Append(vtkPolyData* block, const std::vector<vtkIdType>&
   const auto patchOf = [&](vtkIdType cell)
   {
     const bool known = numbers && cell < numbers->GetNumberOfTuples();
-    return known ? std::max(0, static_cast<int>(numbers->GetComponent(cell, 0))) : 0;
+    return known ? static_cast<int>(std::max(numbers->GetComponent(cell, 0), 0.0)) : 0;
   };
   // The corners of what VTK draws, triangulated by VTK itself.
   std::vector<unsigned int> corners;

@@ -112,6 +112,17 @@ def test_densities_double_the_strokes():
     assert abs(300 / counts[2] - 8) < 1, "Size is the distance of the densest strokes"
 
 
+def test_densities_spread_over_the_picture():
+    """Strokes that come in one by one do not gather in bands that repeat with the tile."""
+    style = scene.constant_style(LAYER.HATCH, 7, 0.3, 0.35, angle=0.0)
+    style.GetLayer(0).SetDensities(3)
+    _, _, window = flat_view(style, size=(448, 448))
+    rows = 1.0 - scene.linear(scene.draw(window)).mean(axis=(1, 2))
+    bands = rows.reshape(16, 28).mean(axis=1)  # one of the sparsest strokes in each
+    print("ink of bands deviates by", bands.std())
+    assert bands.std() < 0.04, bands
+
+
 def colored_plane():
     source = scene.plane(1.7)
     colors = vtkElevationFilter()

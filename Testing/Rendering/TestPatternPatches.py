@@ -180,7 +180,9 @@ def test_wrong_patches():
 
     draw_with("PatchId", None)
     draw_with("PatchId", None, "")
-    draw_with("PatchId", numpy.arange(32) - 2)  # negative: belongs to none, drawn with the first
+    # Negative: belongs to none, drawn with the first.
+    draw_with("PatchId", numpy.arange(32) - 2)
+    draw_with("PatchId", numpy.where(numpy.arange(32) < 16, -10**18, 1))
     scene.expect_messages()
     draw_with("PatchId", None, "Parts")
     scene.expect_messages("no cell array 'Parts'")

@@ -26,7 +26,8 @@ constexpr int tileSize = 512;
 constexpr int tilePeriods = 16;
 constexpr int ruledSize = 256;
 constexpr int ruledPeriods = 8;
-// Strokes are this many texels wide at least, also the densest ones.
+constexpr int denseSize = 1024; // 8 texels at least between the densest strokes
+// A dab shows bristles, which take more texels; a grain of paper is a mere bump.
 constexpr int dabPeriods = 8;
 constexpr int paperPeriods = 32;
 
@@ -65,8 +66,16 @@ CrossHatchOptions strokeOptions(vtkImagePatternLayer* layer)
   const bool ruled = options.irregularity <= 0.0;
   options.size = ruled ? ruledSize : tileSize;
   options.periods = ruled ? ruledPeriods : tilePeriods;
-  // The period of a layer is that of its densest strokes.
-  options.periods >>= options.densities - 1;
+  // Ruled strokes of one density come in all at once, those of a loose hand one by one: they need
+  // a tile in which many lie, or those that are there already gather in bands.
+  if (options.densities > 1 && !ruled)
+  {
+    options.size = denseSize;
+  }
+  else
+  {
+    options.periods >>= options.densities - 1;
+  }
   return options;
 }
 

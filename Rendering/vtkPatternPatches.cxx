@@ -66,7 +66,7 @@ std::string Complaint(vtkAbstractArray* found, vtkIdType cells, int& largest, st
     }
     const int patch = static_cast<int>(std::max(value, -1.0)); // all negative numbers are alike
     largest = std::max(largest, patch);
-    hash = Mix(hash, static_cast<std::uint64_t>(patch + 1));
+    hash = Mix(hash, static_cast<std::uint64_t>(patch));
   }
   return {};
 }

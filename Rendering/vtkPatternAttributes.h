@@ -18,7 +18,7 @@ struct vtkPatternAttributes
     COLOR,          ///< display-referred colour; alpha: 1 - half drawn edge
     TONE,           ///< tones of four channels
     NORMAL,         ///< normal in view coordinates in one float, negative without data
-    PATCH,          ///< patch of the triangle, or where patches overlap -1 - its record
+    PATCH,          ///< patch of the triangle, or -1 - the first record that may be its own
     POINT,          ///< model coordinates; w: packed normal of the triangle
     TEXTURE,        ///< texture coordinates; z: 1 where there are some
     TEXTURE_SLOPES, ///< their change along x (xy) and y (zw)
@@ -26,8 +26,7 @@ struct vtkPatternAttributes
   };
 
   vtkPatternLayerPainter::SurfaceNeed Surface = vtkPatternLayerPainter::NOTHING;
-  bool Patches = false;        ///< patches are told apart
-  bool PatchesOverlap = false; ///< and blend near their borders
+  bool Patches = false; ///< patches are told apart
 
   bool Has(Image image) const
   {
@@ -61,8 +60,7 @@ struct vtkPatternAttributes
 
   bool operator==(const vtkPatternAttributes& other) const
   {
-    return this->Surface == other.Surface && this->Patches == other.Patches &&
-      this->PatchesOverlap == other.PatchesOverlap;
+    return this->Surface == other.Surface && this->Patches == other.Patches;
   }
 };
 

@@ -41,31 +41,53 @@ glm::vec3 Linear(const double* color)
     static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2])));
 }
 
-// Thresholds of every row, each followed by the tone whose threshold is as large as the fraction of
-// the row at which it stands.
-std::vector<float> WithResponses(const std::vector<float>& thresholds)
+// The tone whose threshold is `value` in a row of thresholds.
+float ToneOf(float value, const float* row)
 {
-  std::vector<float> both;
-  both.reserve(2 * thresholds.size());
-  for (auto row = thresholds.begin(); row != thresholds.end(); row += tableTones)
+  const float* end = row + tableTones;
+  const float* above = std::upper_bound(row, end, value);
+  if (above == row || above == end)
   {
-    const auto end = row + tableTones;
+    return above == row ? 0.0f : 1.0f;
+  }
+  const float below = *(above - 1);
+  return (static_cast<float>(above - row - 1) + (value - below) / (*above - below)) /
+    static_cast<float>(tableTones - 1);
+}
+
+// For every row of thresholds: the tones whose thresholds are the values that stand at the columns
+// of a table, each followed by the growth of the tone with the value there.
+std::vector<float> InverseTable(const std::vector<float>& thresholds)
+{
+  constexpr auto last = static_cast<float>(tableTones - 1);
+  std::vector<float> all;
+  all.reserve(2 * thresholds.size());
+  for (std::size_t row = 0; row < thresholds.size(); row += tableTones)
+  {
     for (std::size_t i = 0; i < tableTones; ++i)
     {
-      constexpr auto last = static_cast<float>(tableTones - 1);
       const float value = static_cast<float>(i) / last;
-      const auto above = std::upper_bound(row, end, value);
-      float tone = above == row ? 0.0f : 1.0f;
-      if (above != row && above != end)
-      {
-        const float below = *(above - 1);
-        tone = (static_cast<float>(above - row - 1) + (value - below) / (*above - below)) / last;
-      }
-      both.push_back(row[static_cast<std::ptrdiff_t>(i)]);
-      both.push_back(tone);
+      const float* const first = &thresholds[row];
+      all.push_back(ToneOf(value, first));
+      all.push_back(
+        last * (ToneOf(value + 0.5f / last, first) - ToneOf(value - 0.5f / last, first)));
     }
   }
-  return both;
+  return all;
+}
+
+void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int components,
+  std::vector<float>& values)
+{
+  texture->ReleaseGraphicsResources(window);
+  texture->SetContext(window);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetMinificationFilter(vtkTextureObject::Linear);
+  texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  const std::size_t rows = values.size() / (tableTones * static_cast<std::size_t>(components));
+  texture->Create2DFromRaw(static_cast<unsigned int>(tableTones), static_cast<unsigned int>(rows),
+    components, VTK_FLOAT, values.data());
 }
 
 const char* BlendFunction(int mode)
@@ -116,7 +138,6 @@ void vtkPatternCompositor::Update(vtkPatternStyle* style, const vtkPatternToneCh
 {
   this->Window = window;
   this->PatchCount = patches.GetCount();
-  this->PatchesOverlap = patches.IsBlended();
   this->CurrentScene = scene;
   this->Layers.clear();
   std::map<vtkSmartPointer<vtkPatternLayer>, std::unique_ptr<vtkPatternLayerPainter>> kept;
@@ -180,7 +201,6 @@ vtkPatternAttributes vtkPatternCompositor::GetAttributes() const
     needed.Surface = std::max(needed.Surface, layer.Painter->GetSurfaceNeed());
     needed.Patches = needed.Patches || (this->PatchCount > 1 && layer.Painter->FollowsPatches());
   }
-  needed.PatchesOverlap = needed.Patches && this->PatchesOverlap;
   return needed;
 }
 
@@ -210,8 +230,7 @@ void vtkPatternCompositor::UpdateText()
     ToneCurve + ProcessInks + PatternCompose;
   const vtkPatternAttributes needed = this->GetAttributes();
   vtkShaderProgram::Substitute(text, "//Hachure::Patches::Dec",
-    std::string(needed.Patches ? PatternPatches : "") +
-      (needed.PatchesOverlap ? PatternPatchRecords : ""));
+    needed.Patches ? std::string(PatternPatches) + PatternPatchRecords : std::string());
   vtkShaderProgram::Substitute(text, "//Hachure::Layers::Dec", declarations);
   vtkShaderProgram::Substitute(text, "  //Hachure::Layers::Impl", calls);
   this->ShaderText = text;
@@ -229,7 +248,7 @@ void vtkPatternCompositor::UpdateTables(vtkOpenGLRenderWindow* window)
 {
   std::vector<std::pair<vtkPatternLayerPainter*, unsigned long>> state;
   std::vector<float> rows;
-  const bool responses = this->GetAttributes().PatchesOverlap ||
+  const bool responses = this->GetAttributes().Patches ||
     std::any_of(this->Layers.begin(), this->Layers.end(),
       [](const Drawn& layer) { return layer.Painter->UsesResponses(); });
   for (const Drawn& layer : this->Layers)
@@ -249,15 +268,13 @@ void vtkPatternCompositor::UpdateTables(vtkOpenGLRenderWindow* window)
   }
   this->TableResponses = responses;
   this->TableState = state;
-  this->Tables->ReleaseGraphicsResources(window);
-  this->Tables->SetContext(window);
-  this->Tables->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Tables->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->Tables->SetMinificationFilter(vtkTextureObject::Linear);
-  this->Tables->SetMagnificationFilter(vtkTextureObject::Linear);
-  this->Tables->Create2DFromRaw(static_cast<unsigned int>(tableTones),
-    static_cast<unsigned int>(this->TableRows), responses ? 2 : 1, VTK_FLOAT,
-    responses ? WithResponses(rows).data() : rows.data());
+  UploadTable(window, this->Tables, 1, rows);
+  this->Responses->ReleaseGraphicsResources(window);
+  if (responses)
+  {
+    std::vector<float> inverse = InverseTable(rows);
+    UploadTable(window, this->Responses, 2, inverse);
+  }
 }
 
 void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyle* style,
@@ -275,6 +292,10 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
   const glm::vec3 nan = Linear(nanColor);
   program->SetUniform3f("hachureNanColor", &nan.x);
   program->SetUniformi("hachureToneTables", this->Tables->GetTextureUnit());
+  if (program->IsUniformUsed("hachureResponses"))
+  {
+    program->SetUniformi("hachureResponses", this->Responses->GetTextureUnit());
+  }
   program->SetUniformf("hachureTableRows", static_cast<float>(this->TableRows));
 
   this->SetSurfaceUniforms(program, viewport);
@@ -377,6 +398,10 @@ void vtkPatternCompositor::SetSurfaceUniforms(
 void vtkPatternCompositor::Activate(const std::vector<hachure::PatternFrame>& frames)
 {
   this->Tables->Activate();
+  if (this->TableResponses)
+  {
+    this->Responses->Activate();
+  }
   if (this->GetAttributes().Patches)
   {
     this->UploadPlacements(frames);
@@ -391,6 +416,10 @@ void vtkPatternCompositor::Activate(const std::vector<hachure::PatternFrame>& fr
 void vtkPatternCompositor::Deactivate()
 {
   this->Tables->Deactivate();
+  if (this->TableResponses)
+  {
+    this->Responses->Deactivate();
+  }
   if (this->GetAttributes().Patches)
   {
     this->Placements->Deactivate();
@@ -404,6 +433,7 @@ void vtkPatternCompositor::Deactivate()
 void vtkPatternCompositor::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Tables->ReleaseGraphicsResources(window);
+  this->Responses->ReleaseGraphicsResources(window);
   this->Placements->ReleaseGraphicsResources(window);
   for (auto& painter : this->Painters)
   {

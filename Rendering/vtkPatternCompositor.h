@@ -75,10 +75,10 @@ private:
   vtkNew<vtkTextureObject> Tables;
   std::vector<std::pair<vtkPatternLayerPainter*, unsigned long>> TableState;
   std::size_t TableRows = 0;
-  bool TableResponses = false; // the tables hold responses, too
+  vtkNew<vtkTextureObject> Responses; // the tables the other way round
+  bool TableResponses = false;        // they are needed
   vtkPatternLayerPainter::Scene CurrentScene;
   int PatchCount = 1;
-  bool PatchesOverlap = false;
   vtkNew<vtkTextureObject> Placements; // per patch and layer
   std::vector<glm::vec4> PlacementTexels;
   vtkOpenGLRenderWindow* Window = nullptr; // of the last update

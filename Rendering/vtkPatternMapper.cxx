@@ -515,8 +515,8 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
 void vtkPatternMapper::UploadPatchRecords(Drawing& drawing)
 {
   const vtkPatternPatchRecords& records = this->Internal->PatchRecords;
-  const bool overlap = drawing.Part.Compositor.GetAttributes().PatchesOverlap;
-  if (overlap && drawing.Part.PatchVersion != records.GetVersion())
+  const bool patches = drawing.Part.Compositor.GetAttributes().Patches;
+  if (patches && drawing.Part.PatchVersion != records.GetVersion())
   {
     drawing.Part.PatchRecords.Upload(drawing.Window, records.All(), 4);
     drawing.Part.PatchVersion = records.GetVersion();

@@ -112,8 +112,7 @@ vtkPatternMapperHelper::~vtkPatternMapperHelper()
 std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> vtkPatternMapperHelper::NumberBuffers()
 {
   std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> buffers = {
-    { "hachurePatchOfTriangle", &this->PatchOfTriangle },
-    { "hachurePatchRecords", &this->PatchRecords }
+    { "hachurePatchOfVertex", &this->PatchOfVertex }, { "hachurePatchRecords", &this->PatchRecords }
   };
   for (std::size_t i = 0; i < this->CellTones.size(); ++i)
   {
@@ -177,6 +176,7 @@ void vtkPatternMapperHelper::BuildBufferObjects(vtkRenderer* renderer, vtkActor*
 {
   this->AppendedPoints.clear();
   this->Patches = {};
+  this->VertexCount = 0;
   for (CellTone& tone : this->CellTones)
   {
     tone.Values.clear();
@@ -188,15 +188,25 @@ void vtkPatternMapperHelper::BuildBufferObjects(vtkRenderer* renderer, vtkActor*
     tone.Upload(window, tone.Values, 2);
     tone.Values = {};
   }
-  this->PatchOfTriangle.Upload(window, this->Patches.triangles, 1);
-  if (!this->Patches.triangles.empty() && this->Patches.records.empty())
+  this->UploadPatches(window);
+}
+
+void vtkPatternMapperHelper::UploadPatches(vtkOpenGLRenderWindow* window)
+{
+  hachure::VertexPatches patches;
+  if (this->GetMapper()->GetPatches().IsActive())
   {
-    this->Patches.records.resize(hachure::patchRecordTexels); // samplers must have a texture
+    patches = hachure::patchesOfVertices(this->Patches, this->VertexCount);
+    if (patches.records.empty())
+    {
+      patches.records.resize(hachure::patchRecordTexels); // samplers must have a texture
+    }
   }
-  this->GetMapper()->GetPatchRecords().Store(this, this->Patches.records);
-  this->PatchRecords.Upload(window, std::vector<glm::vec4>(), 4);
-  this->WaitingRecords = std::move(this->Patches.records);
   this->Patches = {};
+  this->PatchOfVertex.Upload(window, patches.vertices, 1);
+  this->GetMapper()->GetPatchRecords().Store(this, patches.records);
+  this->PatchRecords.Upload(window, std::vector<glm::vec4>(), 4);
+  this->WaitingRecords = std::move(patches.records);
 }
 
 void vtkPatternMapperHelper::AppendPointTones(vtkPolyData* poly)
@@ -301,14 +311,17 @@ void vtkPatternMapperHelper::AppendPatches(vtkPatternHelperData* data, int repre
   vtkCellArray* primitives[4] = { poly->GetVerts(), poly->GetLines(), poly->GetPolys(),
     poly->GetStrips() };
   data->CellCellMap->Update(primitives, representation, poly->GetPoints());
-  std::vector<vtkIdType> cells(data->CellCellMap->GetSize());
-  for (std::size_t primitive = 0; primitive < cells.size(); ++primitive)
-  {
-    cells[primitive] = data->CellCellMap->GetValue(primitive);
-  }
   const vtkIdType* offsets = data->CellCellMap->GetPrimitiveOffsets();
-  patches.Append(poly, cells, static_cast<std::size_t>(offsets[2] - offsets[0]),
-    this->GetMapper()->GetPatchOrigin(), this->Patches);
+  std::vector<vtkIdType> cells;
+  for (auto i = static_cast<std::size_t>(offsets[2] - offsets[0]); i < data->CellCellMap->GetSize();
+       ++i)
+  {
+    cells.push_back(data->CellCellMap->GetValue(i));
+  }
+  const auto firstVertex = static_cast<std::uint32_t>(data->StartVertex);
+  patches.Append(poly, cells, firstVertex, this->GetMapper()->GetPatchOrigin(), this->Patches);
+  this->VertexCount =
+    std::max(this->VertexCount, firstVertex + static_cast<std::size_t>(poly->GetNumberOfPoints()));
 }
 
 void vtkPatternMapperHelper::AppendOneBufferObject(vtkRenderer* renderer, vtkActor* actor,

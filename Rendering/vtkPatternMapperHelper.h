@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+class vtkOpenGLRenderWindow;
 class vtkPatternMapper;
 class vtkShaderProgram;
 
@@ -57,11 +58,13 @@ private:
   void SetCoordinates(vtkShaderProgram* program);
   void AppendCellTones(vtkPatternHelperData* data, int representation);
   void AppendPatches(vtkPatternHelperData* data, int representation);
+  void UploadPatches(vtkOpenGLRenderWindow* window);
   std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> NumberBuffers();
 
   std::array<CellTone, vtkPatternToneChannels::Maximum> CellTones;
   hachure::TrianglePatches Patches; // while buffers are built
-  vtkPatternNumberBuffer PatchOfTriangle;
+  std::size_t VertexCount = 0;      // of these
+  vtkPatternNumberBuffer PatchOfVertex;
   vtkPatternNumberBuffer PatchRecords;   // for translucent surfaces alone
   std::vector<glm::vec4> WaitingRecords; // not uploaded for them yet
   std::set<vtkDataArray*> AppendedPoints;

@@ -180,8 +180,12 @@ void vtkPatternPatches::Read(vtkDataObject* input, std::string& error)
 }
 
 void vtkPatternPatches::Append(vtkPolyData* block, const std::vector<vtkIdType>& cells,
-  std::size_t others, const glm::dvec3& origin, hachure::TrianglePatches& all) const
+  std::uint32_t firstVertex, const glm::dvec3& origin, hachure::TrianglePatches& all) const
 {
+  if (!HasSurface(block))
+  {
+    return;
+  }
   vtkDataArray* numbers = block->GetCellData()->GetArray(this->ArrayName.c_str());
   const auto patchOf = [&](vtkIdType cell)
   {
@@ -190,40 +194,41 @@ void vtkPatternPatches::Append(vtkPolyData* block, const std::vector<vtkIdType>&
   };
   // The corners of what VTK draws, triangulated by VTK itself.
   std::vector<unsigned int> corners;
-  if (this->Blended && HasSurface(block))
+  vtkOpenGLIndexBufferObject::AppendTriangleIndexBuffer(
+    corners, block->GetPolys(), block->GetPoints(), 0, nullptr, nullptr);
+  vtkOpenGLIndexBufferObject::AppendStripIndexBuffer(corners, block->GetStrips(), 0, false);
+  vtkDataArray* patches = this->Blended ? BlendArray(block, blendPatches) : nullptr;
+  vtkDataArray* weights = this->Blended ? BlendArray(block, blendWeights) : nullptr;
+  const std::vector<int> only = patches && weights
+    ? OnlyPatches(patches, weights, block->GetNumberOfPoints())
+    : std::vector<int>();
+  const std::size_t triangles = std::min(cells.size(), corners.size() / 3);
+  for (std::size_t triangle = 0; triangle < triangles; ++triangle)
   {
-    vtkOpenGLIndexBufferObject::AppendTriangleIndexBuffer(
-      corners, block->GetPolys(), block->GetPoints(), 0, nullptr, nullptr);
-    vtkOpenGLIndexBufferObject::AppendStripIndexBuffer(corners, block->GetStrips(), 0, false);
-  }
-  vtkDataArray* patches = BlendArray(block, blendPatches);
-  vtkDataArray* weights = BlendArray(block, blendWeights);
-  const std::vector<int> only = corners.empty() || !patches || !weights
-    ? std::vector<int>()
-    : OnlyPatches(patches, weights, block->GetNumberOfPoints());
-  for (std::size_t primitive = 0; primitive < cells.size(); ++primitive)
-  {
-    const std::size_t first = 3 * (primitive - others);
-    if (primitive < others || first + 2 >= corners.size() || only.empty())
+    const unsigned int* ids = &corners[3 * triangle];
+    const std::uint32_t lastVertex = firstVertex + ids[2];
+    hachure::TriangleCorners points;
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      hachure::appendTriangle(all, patchOf(cells[primitive]));
+      block->GetPoint(ids[i], &points[i][0]);
+      points[i] -= origin;
+    }
+    if (only.empty())
+    {
+      hachure::appendTriangle(all, lastVertex, points, patchOf(cells[triangle]));
       continue;
     }
-    const int patch = only[corners[first]];
-    if (patch >= 0 && patch == only[corners[first + 1]] && patch == only[corners[first + 2]])
+    const int patch = only[ids[0]];
+    if (patch >= 0 && patch == only[ids[1]] && patch == only[ids[2]])
     {
-      hachure::appendTriangle(all, patch);
+      hachure::appendTriangle(all, lastVertex, points, patch);
       continue;
     }
-    std::array<glm::dvec3, 3> points;
     std::array<hachure::CornerPatches, 3> weighted;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const vtkIdType point = corners[first + i];
-      block->GetPoint(point, &points[i][0]);
-      points[i] -= origin;
-      weighted[i] = Corner(patches, weights, point);
+      weighted[i] = Corner(patches, weights, ids[i]);
     }
-    hachure::appendTriangle(all, points, weighted);
+    hachure::appendTriangle(all, lastVertex, points, weighted);
   }
 }

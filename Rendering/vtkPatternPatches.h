@@ -34,17 +34,15 @@ public:
   bool IsActive() const { return this->Count > 1; }
   int GetCount() const { return this->Count; }
   const std::string& GetArrayName() const { return this->ArrayName; }
-  /// Whether patches overlap near their borders, by the weights of vtkPatchBlendWeights.
-  bool IsBlended() const { return this->Blended; }
   /// Of the patches of all cells: equal patches in another array have an equal one.
   std::uint64_t GetHash() const { return this->Hash; }
   /// Rises with every change of what the shaders read.
   unsigned long GetVersion() const { return this->Version; }
 
-  /// Appends the patches of all that VTK draws of a block, in the order of its primitives;
-  /// `cells` is the cell of each primitive, of which `others` come before the triangles; corners
-  /// are stored about `origin`.
-  void Append(vtkPolyData* block, const std::vector<vtkIdType>& cells, std::size_t others,
+  /// Appends the patches of all triangles that VTK draws of a block, in their order. `cells` is the
+  /// cell of each; `firstVertex` counts the vertices of other blocks before its own; corners are
+  /// stored about `origin`.
+  void Append(vtkPolyData* block, const std::vector<vtkIdType>& cells, std::uint32_t firstVertex,
     const glm::dvec3& origin, hachure::TrianglePatches& all) const;
 
   /// Name of the array where none is set.
@@ -57,7 +55,7 @@ private:
   std::string ArrayName;
   std::string Error;
   int Count = 1;
-  bool Blended = false;
+  bool Blended = false; // they overlap, by the weights of vtkPatchBlendWeights
   std::uint64_t Hash = 0;
   unsigned long Version = 0;
   State Arrays; // those of the last reading

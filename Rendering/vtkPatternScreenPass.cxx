@@ -51,9 +51,8 @@ std::string vtkPatternScreenPass::Text(
   {
     if (needed.Has(kind.first))
     {
-      std::string name = kind.second;
+      const std::string name = kind.second;
       surfaceDec += vtkPattern::ShaderSection(PatternSurfaceImages, name + "Dec");
-      name += kind.first == vtkPatternAttributes::PATCH && needed.PatchesOverlap ? "Blend" : "";
       surfaceImpl += vtkPattern::ShaderSection(PatternSurfaceImages, name + "Impl");
     }
   }

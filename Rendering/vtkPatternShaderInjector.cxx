@@ -77,14 +77,18 @@ bool vtkPatternShaderInjector::Place(
 std::string vtkPatternShaderInjector::SurfaceText(const std::string& ending) const
 {
   std::string text;
-  const bool blends = this->Needed.PatchesOverlap && this->Stage == FORWARD;
-  if (this->Needed.Has(vtkPatternAttributes::POINT) || blends)
+  const bool patches = this->Needed.Has(vtkPatternAttributes::PATCH);
+  if (this->Needed.Has(vtkPatternAttributes::POINT) || (patches && this->Stage == FORWARD))
   {
     text += Section("Point" + ending);
   }
   if (this->Needed.Has(vtkPatternAttributes::TEXTURE))
   {
     text += Section("Texture" + ending);
+  }
+  if (patches)
+  {
+    text += Section("Patch" + ending);
   }
   return text;
 }
@@ -100,10 +104,6 @@ std::string vtkPatternShaderInjector::SurfaceValues() const
   {
     text += Section("TextureFSImpl");
   }
-  if (this->Needed.Patches)
-  {
-    text += Section("PatchFSImpl");
-  }
   return text;
 }
 
@@ -118,7 +118,7 @@ std::string vtkPatternShaderInjector::SurfaceOutputs() const
     switch (images[image])
     {
       case vtkPatternAttributes::PATCH:
-        name = forward && this->Needed.PatchesOverlap ? "PatchBlend" : "Patch";
+        name = "Patch";
         break;
       case vtkPatternAttributes::POINT:
         name = "Point";
@@ -149,10 +149,6 @@ bool vtkPatternShaderInjector::PreReplaceShaderValues(std::string& vertexShader,
   std::string geometryDec = this->SurfaceText("GSDec");
   std::string geometryImpl = this->SurfaceText("GSImpl");
   std::string fragmentDec = Section("Dec") + this->ComposeText + this->SurfaceText("FSDec");
-  if (this->Needed.Patches)
-  {
-    fragmentDec += Section("PatchFSDec");
-  }
   fragmentDec += this->LightsDeclaration();
   const auto& channels = this->Channels.Get();
   for (std::size_t i = 0; i < channels.size(); ++i)

@@ -76,20 +76,33 @@ float blendAt(const ToneTableOptions& options, float scale)
         scale, static_cast<float>(options.lodStart), static_cast<float>(options.lodEnd));
 }
 
-// Screen and width at a footprint, with `blend` of the half-size copy.
-glm::vec2 fieldAt(
-  Span<const PatternTile> mips, float texelsPerPixel, float blend, double u, double v)
+// The levels of a tile, and the finest one that is drawn from.
+struct DrawnTile
 {
-  const glm::vec2 first =
-    blend < 1.0f ? trilinear(mips, u, v, glsl::tileLevel(texelsPerPixel)) : glm::vec2(0.0f);
+  Span<const PatternTile> mips;
+  float finestLevel;
+
+  DrawnTile(Span<const PatternTile> levels, const ToneTableOptions& options)
+    : mips(levels)
+    , finestLevel(static_cast<float>(options.finestLevel))
+  {
+  }
+};
+
+// Screen and width at a footprint, with `blend` of the half-size copy.
+glm::vec2 fieldAt(const DrawnTile& tile, float texelsPerPixel, float blend, double u, double v)
+{
+  const glm::vec2 first = blend < 1.0f
+    ? trilinear(tile.mips, u, v, glsl::tileLevel(texelsPerPixel, tile.finestLevel))
+    : glm::vec2(0.0f);
   const glm::vec2 second = blend > 0.0f
-    ? trilinear(mips, 2.0 * u, 2.0 * v, glsl::tileLevel(2.0f * texelsPerPixel))
+    ? trilinear(
+        tile.mips, 2.0 * u, 2.0 * v, glsl::tileLevel(2.0f * texelsPerPixel, tile.finestLevel))
     : glm::vec2(0.0f);
   return glsl::patternField(first, second, blend, texelsPerPixel);
 }
 
-std::vector<glm::vec2> measureFields(
-  Span<const PatternTile> mips, float texelsPerPixel, float blend)
+std::vector<glm::vec2> measureFields(const DrawnTile& tile, float texelsPerPixel, float blend)
 {
   std::vector<glm::vec2> fields;
   fields.reserve(measuredPlaces);
@@ -98,7 +111,7 @@ std::vector<glm::vec2> measureFields(
     constexpr double share = 1.0 / measuredPlaces;
     const double u = share * static_cast<double>(i);
     const double v = share * static_cast<double>(i * placeStep % measuredPlaces);
-    fields.push_back(fieldAt(mips, texelsPerPixel, blend, u, v));
+    fields.push_back(fieldAt(tile, texelsPerPixel, blend, u, v));
   }
   return fields;
 }
@@ -201,7 +214,8 @@ std::vector<double> wantedInks(
   {
     const double footprint = options.referenceTexelsPerPixel > 0.0 ? options.referenceTexelsPerPixel
                                                                    : options.texelsPerPixelAtScale1;
-    const Response look = measureResponse(measureFields(mips, static_cast<float>(footprint), 0.0f));
+    const Response look =
+      measureResponse(measureFields(DrawnTile(mips, options), static_cast<float>(footprint), 0.0f));
     for (double& ink : inks)
     {
       ink = inkAt(look, ink);
@@ -221,7 +235,7 @@ void measureRow(
     : glsl::octaveScale(row);
   const float blend = blendsScreens(options) ? blendAt(options, scale) : 0.0f;
   const float footprint = static_cast<float>(options.texelsPerPixelAtScale1) / scale;
-  invertResponse(measureResponse(measureFields(mips, footprint, blend)), inks,
+  invertResponse(measureResponse(measureFields(DrawnTile(mips, options), footprint, blend)), inks,
     &table.threshold[static_cast<std::size_t>(step) * table.tones]);
 }
 
@@ -247,6 +261,11 @@ void checkArguments(
     check::fail(function, "referenceTexelsPerPixel",
       std::to_string(options.referenceTexelsPerPixel) + ", expected a positive number or 0");
   }
+  if (!(options.finestLevel >= 0.0) || !std::isfinite(options.finestLevel))
+  {
+    check::fail(function, "finestLevel",
+      std::to_string(options.finestLevel) + ", expected a finite number of 0 or more");
+  }
   check::inRange(function, "lodStart", options.lodStart, 1.0, 2.0);
   check::inRange(function, "lodEnd", options.lodEnd, options.lodStart, 2.0);
 }
@@ -263,7 +282,7 @@ bool operator==(const ToneTableOptions& a, const ToneTableOptions& b)
 {
   return a.texelsPerPixelAtScale1 == b.texelsPerPixelAtScale1 && a.lodStart == b.lodStart &&
     a.lodEnd == b.lodEnd && a.transition == b.transition && a.correction == b.correction &&
-    a.referenceTexelsPerPixel == b.referenceTexelsPerPixel;
+    a.referenceTexelsPerPixel == b.referenceTexelsPerPixel && a.finestLevel == b.finestLevel;
 }
 
 ToneTable buildToneTable(Span<const PatternTile> mips, const ToneTableOptions& options)
@@ -322,7 +341,7 @@ DrawnField drawnField(
   const auto s = static_cast<float>(scale);
   const float blend = blendsScreens(options) ? blendAt(options, s) : 0.0f;
   const float footprint = static_cast<float>(options.texelsPerPixelAtScale1) / s;
-  const glm::vec2 field = fieldAt(mips, footprint, blend, u, v);
+  const glm::vec2 field = fieldAt(DrawnTile(mips, options), footprint, blend, u, v);
   return { field.x, field.y };
 }
 
@@ -334,11 +353,12 @@ double drawnInk(Span<const PatternTile> mips, const ToneTable& table, double ton
   const float footprint = static_cast<float>(table.options.texelsPerPixelAtScale1) / s;
   const auto period = static_cast<float>(
     mips[0].width / (static_cast<double>(mips[0].periods) * table.options.texelsPerPixelAtScale1));
+  const DrawnTile tile(mips, table.options);
   const auto ink = [&](float blend, double tableScale)
   {
     return glsl::patternInk(static_cast<float>(tone),
       static_cast<float>(toneThreshold(table, tone, tableScale)),
-      fieldAt(mips, footprint, blend, u, v), glsl::flatShare(s, blend, period));
+      fieldAt(tile, footprint, blend, u, v), glsl::flatShare(s, blend, period));
   };
   const float blend = blendAt(table.options, s);
   if (blendsScreens(table.options))

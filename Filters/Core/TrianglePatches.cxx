@@ -10,13 +10,16 @@ namespace hachure
 {
 namespace
 {
+constexpr std::size_t slots = 4;
+
 struct Share
 {
   int patch;
   float total;
 };
 
-// Every patch of the corners with its total weight, the heaviest first, equal ones by number.
+// The patches of the corners: the heaviest four, equal ones by number, in the order of their
+// numbers, in which screens are mixed.
 std::vector<Share> sharesOf(const std::array<CornerPatches, 3>& corners)
 {
   std::vector<Share> shares;
@@ -44,6 +47,9 @@ std::vector<Share> sharesOf(const std::array<CornerPatches, 3>& corners)
   std::sort(shares.begin(), shares.end(),
     [](const Share& a, const Share& b)
     { return a.total != b.total ? a.total > b.total : a.patch < b.patch; });
+  shares.resize(std::min(shares.size(), slots));
+  std::sort(
+    shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.patch < b.patch; });
   return shares;
 }
 
@@ -65,50 +71,148 @@ glm::vec4 weightsAt(const CornerPatches& corner, const std::vector<Share>& kept)
   }
   return sum > 0.0f ? weights / sum : glm::vec4(1.0f, 0.0f, 0.0f, 0.0f);
 }
-} // namespace
 
-void appendTriangle(TrianglePatches& all, int patch)
+// The weight of a corner is the dot product with the dual of its edge. False without area.
+bool appendShape(const TriangleCorners& points, std::vector<glm::vec4>& records)
 {
-  all.triangles.push_back(static_cast<float>(std::clamp(patch, 0, maximumDrawnPatches - 1)));
-}
-
-void appendTriangle(TrianglePatches& all, const std::array<glm::dvec3, 3>& points,
-  const std::array<CornerPatches, 3>& corners)
-{
-  constexpr std::size_t slots = 4;
-  std::vector<Share> kept = sharesOf(corners);
-  kept.resize(std::min(kept.size(), slots));
-  if (kept.size() <= 1)
-  {
-    appendTriangle(all, kept.empty() ? 0 : kept[0].patch);
-    return;
-  }
-  std::array<float, slots> numbers{};
-  for (std::size_t slot = 0; slot < slots; ++slot)
-  {
-    numbers[slot] = static_cast<float>(kept[slot < kept.size() ? slot : 0].patch);
-  }
-  // The weight of a corner is the dot product with the dual of its edge; none without area.
   const glm::dvec3 second = points[1] - points[0];
   const glm::dvec3 third = points[2] - points[0];
   const double ss = glm::dot(second, second);
   const double st = glm::dot(second, third);
   const double tt = glm::dot(third, third);
   const double area = ss * tt - st * st;
-  const bool flat = !(area > 0.0);
-  const glm::dvec3 toSecond = flat ? glm::dvec3(0.0) : (tt * second - st * third) / area;
-  const glm::dvec3 toThird = flat ? glm::dvec3(0.0) : (ss * third - st * second) / area;
+  if (!(area > 0.0))
+  {
+    return false;
+  }
+  records.emplace_back(glm::vec3(points[0]), 0.0f);
+  records.emplace_back(glm::vec3((tt * second - st * third) / area), 0.0f);
+  records.emplace_back(glm::vec3((ss * third - st * second) / area), 0.0f);
+  return true;
+}
 
-  const std::size_t record = all.records.size() / patchRecordTexels;
-  all.triangles.push_back(-1.0f - static_cast<float>(record));
-  all.records.emplace_back(glm::vec3(points[0]), numbers[0]);
-  all.records.emplace_back(glm::vec3(toSecond), numbers[1]);
-  all.records.emplace_back(glm::vec3(toThird), numbers[2]);
-  all.records.emplace_back(numbers[3], 0.0f, 0.0f, 0.0f);
+int drawnPatch(int patch)
+{
+  return std::clamp(patch, 0, maximumDrawnPatches - 1);
+}
+
+// What the triangles that end at a vertex have in common.
+constexpr int unused = -1;
+constexpr int several = -2;
+
+std::vector<int> commonPatches(const TrianglePatches& triangles, std::size_t vertexCount)
+{
+  std::vector<int> common(vertexCount, unused);
+  for (const TrianglePatches::Plain& triangle : triangles.plain)
+  {
+    int& known = common[triangle.lastVertex];
+    known = known == unused || known == triangle.patch ? triangle.patch : several;
+  }
+  for (const std::uint32_t vertex : triangles.overlapLastVertex)
+  {
+    common[vertex] = several;
+  }
+  return common;
+}
+
+// The record after the last one of every vertex, and before that one its first.
+std::vector<std::size_t> recordRanges(
+  const TrianglePatches& triangles, const std::vector<int>& common)
+{
+  std::vector<std::size_t> ends(common.size() + 1, 0);
+  for (const TrianglePatches::Plain& triangle : triangles.plain)
+  {
+    ends[triangle.lastVertex + 1] += common[triangle.lastVertex] == several ? 1 : 0;
+  }
+  for (const std::uint32_t vertex : triangles.overlapLastVertex)
+  {
+    ++ends[vertex + 1];
+  }
+  for (std::size_t vertex = 0; vertex < common.size(); ++vertex)
+  {
+    ends[vertex + 1] += ends[vertex];
+  }
+  return ends;
+}
+} // namespace
+
+void appendTriangle(
+  TrianglePatches& all, std::uint32_t lastVertex, const TriangleCorners& points, int patch)
+{
+  all.plain.push_back({ lastVertex, drawnPatch(patch),
+    { glm::vec3(points[0]), glm::vec3(points[1]), glm::vec3(points[2]) } });
+}
+
+void appendTriangle(TrianglePatches& all, std::uint32_t lastVertex, const TriangleCorners& points,
+  const std::array<CornerPatches, 3>& corners)
+{
+  const std::vector<Share> kept = sharesOf(corners);
+  if (kept.size() <= 1)
+  {
+    appendTriangle(all, lastVertex, points, kept.empty() ? 0 : kept[0].patch);
+    return;
+  }
+  if (!appendShape(points, all.overlapRecords))
+  {
+    return;
+  }
+  all.overlapLastVertex.push_back(lastVertex);
+  glm::vec4 numbers(0.0f);
+  for (std::size_t slot = 0; slot < slots; ++slot)
+  {
+    const int patch = kept[slot < kept.size() ? slot : 0].patch;
+    numbers[static_cast<int>(slot)] = static_cast<float>(drawnPatch(patch));
+  }
+  all.overlapRecords.push_back(numbers);
   for (const CornerPatches& corner : corners)
   {
-    all.records.push_back(weightsAt(corner, kept));
+    all.overlapRecords.push_back(weightsAt(corner, kept));
   }
+}
+
+VertexPatches patchesOfVertices(const TrianglePatches& triangles, std::size_t vertexCount)
+{
+  const std::vector<int> common = commonPatches(triangles, vertexCount);
+  const std::vector<std::size_t> ends = recordRanges(triangles, common);
+  VertexPatches result;
+  result.vertices.reserve(vertexCount);
+  for (std::size_t vertex = 0; vertex < vertexCount; ++vertex)
+  {
+    result.vertices.push_back(common[vertex] == several
+        ? -1.0f - static_cast<float>(ends[vertex])
+        : static_cast<float>(std::max(common[vertex], 0)));
+  }
+  result.records.resize(patchRecordTexels * ends.back());
+  std::vector<std::size_t> next(ends.begin(), ends.end() - 1);
+  const auto place = [&](std::uint32_t vertex, const glm::vec4* record)
+  {
+    glm::vec4* first = &result.records[patchRecordTexels * next[vertex]++];
+    std::copy_n(record, patchRecordTexels, first);
+    first->w = next[vertex] < ends[vertex + 1] ? 1.0f : 0.0f;
+  };
+  for (std::size_t i = 0; i < triangles.overlapLastVertex.size(); ++i)
+  {
+    place(triangles.overlapLastVertex[i], &triangles.overlapRecords[patchRecordTexels * i]);
+  }
+  const glm::vec4 first(1.0f, 0.0f, 0.0f, 0.0f);
+  std::vector<glm::vec4> record;
+  for (const TrianglePatches::Plain& triangle : triangles.plain)
+  {
+    if (common[triangle.lastVertex] == several)
+    {
+      record.clear();
+      const TriangleCorners corners = { glm::dvec3(triangle.corners[0]),
+        glm::dvec3(triangle.corners[1]), glm::dvec3(triangle.corners[2]) };
+      if (!appendShape(corners, record))
+      {
+        record.assign(3, glm::vec4(0.0f)); // draws nothing
+      }
+      record.emplace_back(static_cast<float>(triangle.patch));
+      record.insert(record.end(), 3, first);
+      place(triangle.lastVertex, record.data());
+    }
+  }
+  return result;
 }
 
 } // namespace hachure

@@ -3,14 +3,23 @@
 #ifndef hachure_TrianglePatches_h
 #define hachure_TrianglePatches_h
 
+#include "Span.h"
+
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
-// The patches of every triangle as a shader reads them. Most triangles lie within one patch and
-// take one number; those on which patches overlap also take a record of 7 x 16 bytes.
+// The patches of every triangle as a shader reads them: one number for every vertex, which a
+// triangle takes from its *last* vertex (OpenGL's provoking vertex), and which costs nothing to
+// interpolate. (The number of a triangle itself makes software OpenGL split the whole mesh into
+// single triangles first.)
+//
+// A vertex is the last one of a few triangles. Where all of them lie within one patch, its number
+// is that patch. Elsewhere it names the first of several records, one for every triangle: the
+// shader takes the one in which the point lies that it draws.
 namespace hachure
 {
 
@@ -24,25 +33,45 @@ struct CornerPatches
   glm::vec4 weights{ 0.0f };
 };
 
+// Triangles in the order in which they are drawn. Those without area draw nothing and are left out.
 struct TrianglePatches
 {
-  // Per triangle: the patch, or -1 - (number of its record).
-  std::vector<float> triangles;
-  // Per record: (first corner, patch 0), (gradient of the second corner's weight, patch 1),
-  // (gradient of the third corner's, patch 2), (patch 3, 0, 0, 0), then the four patches' weights
-  // at the three corners. Unused patches repeat the first one with weight 0.
+  struct Plain
+  {
+    std::uint32_t lastVertex;
+    int patch;
+    std::array<glm::vec3, 3> corners;
+  };
+  std::vector<Plain> plain; // lie within one patch
+  std::vector<std::uint32_t>
+    overlapLastVertex; // those on which patches overlap, with a record each
+  std::vector<glm::vec4> overlapRecords;
+};
+
+using TriangleCorners = std::array<glm::dvec3, 3>;
+
+// Appends a triangle that lies within one patch.
+void appendTriangle(
+  TrianglePatches& all, std::uint32_t lastVertex, const TriangleCorners& points, int patch);
+
+// Appends a triangle with the weights at its corners. Of more than four patches the heaviest four
+// are kept, and weights at each corner are made to sum up to 1.
+void appendTriangle(TrianglePatches& all, std::uint32_t lastVertex, const TriangleCorners& points,
+  const std::array<CornerPatches, 3>& corners);
+
+struct VertexPatches
+{
+  // Per vertex: the patch, or -1 - (number of its first record); 0 where it ends no triangle.
+  std::vector<float> vertices;
+  // Per record: (first corner, 1 where another record of the vertex follows), (gradient of the
+  // second corner's weight, 0), (gradient of the third corner's, 0), the four patches, then their
+  // weights at the three corners. Patches ascend; unused ones repeat the first with weight 0.
   std::vector<glm::vec4> records;
 };
 
 constexpr std::size_t patchRecordTexels = 7;
 
-// Appends a triangle that lies within one patch.
-void appendTriangle(TrianglePatches& all, int patch);
-
-// Appends a triangle with the weights at its corners. Of more than four patches the heaviest four
-// are kept, and weights at each corner are made to sum up to 1.
-void appendTriangle(TrianglePatches& all, const std::array<glm::dvec3, 3>& points,
-  const std::array<CornerPatches, 3>& corners);
+VertexPatches patchesOfVertices(const TrianglePatches& triangles, std::size_t vertexCount);
 
 } // namespace hachure
 

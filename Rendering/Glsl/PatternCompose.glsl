@@ -4,7 +4,8 @@
 uniform vec4 hachurePixelMap;  // logical pixel = fragment * xy + zw
 uniform vec4 hachurePaper;     // linear colour; w: 1 = the surface's colour instead
 uniform vec3 hachureNanColor;  // linear colour of surface without data
-uniform sampler2D hachureToneTables; // r: thresholds of 256 tones across, the rows of all layers up; g: tones of 256 thresholds
+uniform sampler2D hachureToneTables; // thresholds of 256 tones across, the rows of all layers up
+uniform sampler2D hachureResponses;  // the other way: tones of 256 thresholds (r), and their slope (g)
 uniform float hachureTableRows;      // number of these rows
 
 uniform vec4 hachureClipX; // rows of the matrix from model to clip coordinates
@@ -71,10 +72,12 @@ float hachureThreshold(float column, float row)
   return texture(hachureToneTables, vec2(column, row)).r;
 }
 
-// Tone whose threshold is this value: the share of a screen, as it is drawn, that lies below it.
-float hachureResponse(float value, float row)
+// A screen and its change across a pixel, both made uniform: the tone whose threshold is this value,
+// which is the share of the screen, as it is drawn, that lies below it.
+vec2 hachureUniformScreen(vec2 field, float row)
 {
-  return texture(hachureToneTables, vec2(tableColumn(value), row)).g;
+  vec2 response = texture(hachureResponses, vec2(tableColumn(field.x), row)).rg;
+  return vec2(response.x, response.y * field.y);
 }
 
 // Where a pattern lies, as PatternPlacement.h has it.

@@ -1,26 +1,35 @@
-// Which patches overlap on a triangle, and by what weights; see TrianglePatches.
+// Which patches overlap on a triangle, and by what weights; see VertexPatches in TrianglePatches.h.
 
 uniform samplerBuffer hachurePatchRecords; // 7 texels for each triangle on which patches overlap
 uniform vec3 hachurePatchOrigin;     // of their coordinates, in the model's
 uniform mat4 hachureClipToPatches;   // from clip coordinates to theirs
 uniform vec4 hachureDrawnArea;       // framebuffer pixels: x, y, width, height
 
-// triangle: its patch, or -1 - its record; point: model coordinates about the records' origin.
-void hachureSeeTriangle(float triangle, vec3 point)
+// code: of the triangle's last vertex; point: model coordinates about the records' origin.
+void hachureSeeTriangle(float code, vec3 point)
 {
-  hachureSeePatch(triangle);
+  hachurePatchNumbers.x = max(code, 0.0);
   // Software OpenGL executes both sides of every branch, but a loop no more often than it must.
-  for (int record = int(-triangle); record > 0; record = 0)
+  int texel = 7 * int(-code - 1.0);
+  int best = texel;
+  float bestFit = -1.0e30;
+  bool more = code < 0.0;
+  while (more)
   {
-    int texel = 7 * (record - 1);
     vec4 corner = texelFetch(hachurePatchRecords, texel);
-    vec4 toSecond = texelFetch(hachurePatchRecords, texel + 1);
-    vec4 toThird = texelFetch(hachurePatchRecords, texel + 2);
-    vec4 numbers =
-      vec4(corner.w, toSecond.w, toThird.w, texelFetch(hachurePatchRecords, texel + 3).x);
-    hachureSeePatches(numbers,
-      patchWeights(point, corner.xyz, toSecond.xyz, toThird.xyz,
-        texelFetch(hachurePatchRecords, texel + 4), texelFetch(hachurePatchRecords, texel + 5),
-        texelFetch(hachurePatchRecords, texel + 6)));
+    float fit = triangleFit(point, corner.xyz, texelFetch(hachurePatchRecords, texel + 1).xyz,
+      texelFetch(hachurePatchRecords, texel + 2).xyz);
+    best = fit > bestFit ? texel : best;
+    bestFit = max(fit, bestFit);
+    more = corner.w > 0.0;
+    texel += 7;
+  }
+  for (bool found = code < 0.0; found; found = false)
+  {
+    hachureSeePatches(texelFetch(hachurePatchRecords, best + 3),
+      patchWeights(point, texelFetch(hachurePatchRecords, best).xyz,
+        texelFetch(hachurePatchRecords, best + 1).xyz,
+        texelFetch(hachurePatchRecords, best + 2).xyz, texelFetch(hachurePatchRecords, best + 4),
+        texelFetch(hachurePatchRecords, best + 5), texelFetch(hachurePatchRecords, best + 6)));
   }
 }

@@ -2,29 +2,28 @@
 
 uniform sampler2D hachurePlacements; // patches up, three texels for every layer across
 
-// The patches here, those that matter first; the rest has no weight.
+// The patches here, and how many there are.
 vec4 hachurePatchNumbers = vec4(0.0);
 vec4 hachurePatchShares = vec4(1.0, 0.0, 0.0, 0.0);
+int hachurePatchCount = 1;
 
-void hachureSeePatch(float number)
-{
-  hachurePatchNumbers.x = max(number, 0.0);
-}
-
+// Patches without a share go to the end; the others keep their order.
 void hachureSeePatches(vec4 numbers, vec4 weights)
 {
-  vec4 kept = relevantWeights(weights);
-  hachurePatchShares = vec4(0.0);
-  int found = 0;
-  for (int i = 0; i < 4; ++i)
+  vec4 shares = relevantWeights(weights);
+  for (int turn = 0; turn < 3; ++turn)
   {
-    if (kept[i] > 0.0)
+    for (int i = 0; i < 3; ++i)
     {
-      hachurePatchNumbers[found] = numbers[i];
-      hachurePatchShares[found] = kept[i];
-      ++found;
+      bool empty = shares[i] <= 0.0;
+      shares[i] = empty ? shares[i + 1] : shares[i];
+      numbers[i] = empty ? numbers[i + 1] : numbers[i];
+      shares[i + 1] = empty ? 0.0 : shares[i + 1];
     }
   }
+  hachurePatchNumbers = numbers;
+  hachurePatchShares = shares;
+  hachurePatchCount = int(dot(step(vec4(1.0e-6), shares), vec4(1.0)));
 }
 
 HachurePlacement hachurePlacementOf(int layer, float patchNumber)

@@ -89,12 +89,20 @@ in vec3 hachurePointVSOutput;
 //Section FacetFSImpl
   vec3 hachureFacetNormal = cross(dFdx(hachurePointVSOutput), dFdy(hachurePointVSOutput));
   hachureFacetNormal /= max(length(hachureFacetNormal), 1e-30);
+//Section PatchVSDec
+uniform samplerBuffer hachurePatchOfVertex; // the patch of its triangles, or -1 - their first record
+uniform float hachurePatchBase;             // records of other helpers before those of this one
+flat out float hachurePatchVSOutput;
+//Section PatchVSImpl
+  hachurePatchVSOutput = texelFetch(hachurePatchOfVertex, gl_VertexID).x;
+  hachurePatchVSOutput -= hachurePatchVSOutput < 0.0 ? hachurePatchBase : 0.0;
+//Section PatchGSDec
+flat in float hachurePatchVSOutput[];
+flat out float hachurePatchGSOutput;
+//Section PatchGSImpl
+  hachurePatchGSOutput = hachurePatchVSOutput[2]; // the last vertex tells of the triangle
 //Section PatchFSDec
-uniform samplerBuffer hachurePatchOfTriangle; // per primitive: its patch, or -1 - its record
-uniform float hachurePatchBase;               // records of other helpers before those of this one
-//Section PatchFSImpl
-  float hachurePatch = texelFetch(hachurePatchOfTriangle, gl_PrimitiveID + PrimitiveIDOffset).x;
-  hachurePatch -= hachurePatch < 0.0 ? hachurePatchBase : 0.0;
+flat in float hachurePatchVSOutput;
 //Section TextureVSDec
 in vec3 hachureTextureMC; // z: 1 where the block has texture coordinates
 out vec3 hachureTextureVSOutput;
@@ -179,7 +187,7 @@ float hachurePackNormal(vec3 n)
   gl_FragData[2] =
     vec4(hachureLeastTone < 0.0 ? -1.0 - hachureCodedNormal : hachureCodedNormal, 0.0, 0.0, 1.0);
 //Section PatchAttribute
-  gl_FragData[IMAGE] = vec4(hachurePatch, 0.0, 0.0, 1.0);
+  gl_FragData[IMAGE] = vec4(hachurePatchVSOutput, 0.0, 0.0, 1.0);
 //Section PointAttribute
   gl_FragData[IMAGE] = vec4(hachurePointVSOutput, hachurePackNormal(hachureFacetNormal));
 //Section TextureAttribute
@@ -187,9 +195,7 @@ float hachurePackNormal(vec3 n)
 //Section SlopesAttribute
   gl_FragData[IMAGE] = hachureTextureChange;
 //Section PatchForward
-  hachureSeePatch(hachurePatch);
-//Section PatchBlendForward
-  hachureSeeTriangle(hachurePatch, hachurePointVSOutput - hachurePatchOrigin);
+  hachureSeeTriangle(hachurePatchVSOutput, hachurePointVSOutput - hachurePatchOrigin);
 //Section PointForward
   hachureSeeSurface(hachurePointVSOutput, hachureFacetNormal);
 //Section TextureForward

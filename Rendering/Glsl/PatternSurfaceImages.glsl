@@ -6,10 +6,8 @@ uniform sampler2D hachureSurfacePoint; // model coordinates, w: packed normal of
   vec4 point = texelFetch(hachureSurfacePoint, pixel, 0);
   hachureSeeSurface(point.xyz, hachureUnpackNormal(point.w));
 //Section PatchDec
-uniform sampler2D hachureSurfacePatch; // patch of the triangle, or -1 - its record
+uniform sampler2D hachureSurfacePatch; // patch of the triangle, or -1 - the first record to try
 //Section PatchImpl
-  hachureSeePatch(texelFetch(hachureSurfacePatch, pixel, 0).r);
-//Section PatchBlendImpl
   vec4 place = hachureClipToPatches *
     vec4(2.0 * vec3((gl_FragCoord.xy - hachureDrawnArea.xy) / hachureDrawnArea.zw, depth) - 1.0, 1.0);
   hachureSeeTriangle(texelFetch(hachureSurfacePatch, pixel, 0).r, place.xyz / place.w);

@@ -18,6 +18,20 @@ vec4 patchWeights(vec3 point, vec3 corner, vec3 toSecond, vec3 toThird, vec4 atF
   return weights / max(weights.x + weights.y + weights.z + weights.w, 1.0e-6f);
 }
 
+// How well a point fits a triangle, given as above: the least of its three corners' weights, less
+// its distance from the plane over the size of the triangle. Not below 0 for a point of the
+// triangle, and the larger, the farther inside.
+float triangleFit(vec3 point, vec3 corner, vec3 toSecond, vec3 toThird)
+{
+  vec3 offset = point - corner;
+  float second = dot(toSecond, offset);
+  float third = dot(toThird, offset);
+  // The duals of two edges span the reciprocal of their area.
+  vec3 normal = cross(toSecond, toThird);
+  float distance = abs(dot(normal, offset)) / sqrt(max(length(normal), 1.0e-30f));
+  return min(min(second, third), 1.0f - second - third) - distance;
+}
+
 // Largest of the weights that do not matter: less than a step of tone that anyone can see.
 const float patchLeastWeight = 1.0f / 64.0f;
 
@@ -28,41 +42,27 @@ vec4 relevantWeights(vec4 weights)
   return kept / max(kept.x + kept.y + kept.z + kept.w, 1.0e-6f);
 }
 
-// Lower half of the distribution function below.
-float mixedShareBelow(float value, vec4 weights)
-{
-  // Sum over all subsets of the weights w: (-1)^|subset| (value - sum of subset)^n / (n! prod w).
-  float scale = 1.0f;
-  float count = 0.0f;
-  for (int i = 0; i < 4; ++i)
-  {
-    count += weights[i] > 0.0f ? 1.0f : 0.0f;
-    scale *= weights[i] > 0.0f ? weights[i] * count : 1.0f;
-  }
-  float total = 0.0f;
-  for (int subset = 0; subset < 16; ++subset)
-  {
-    float rest = value;
-    float sign = 1.0f;
-    int bits = subset;
-    for (int i = 0; i < 4; ++i)
-    {
-      bool taken = bits - 2 * (bits / 2) == 1;
-      // Weights of zero must not be counted: a subset with one of them never contributes.
-      rest = taken ? (weights[i] > 0.0f ? rest - weights[i] : -1.0f) : rest;
-      sign = taken ? -sign : sign;
-      bits /= 2;
-    }
-    total += rest > 0.0f ? sign * pow(rest, count) : 0.0f;
-  }
-  return total / max(scale, 1.0e-9f);
-}
-
-// Share of a mix of independent screens, each uniform in [0, 1], that lies below a value. With two
-// screens it is a trapezoid's distribution. The sum of the weights is 1.
-float mixedShare(float value, vec4 weights)
+// Share of a mix of two independent screens, both uniform in [0, 1], that lies below a value:
+// (1 - part) of the first, part of the second, 0 to 1. It is the distribution function of a
+// trapezoid; the mix becomes uniform by it, and can be mixed with the next screen.
+float mixedShare(float value, float part)
 {
   float inside = clamp(value, 0.0f, 1.0f);
-  float lower = mixedShareBelow(min(inside, 1.0f - inside), weights);
-  return clamp(inside > 0.5f ? 1.0f - lower : lower, 0.0f, 1.0f);
+  float lower = min(inside, 1.0f - inside);
+  float lesser = min(part, 1.0f - part);
+  float greater = max(1.0f - lesser, 0.5f);
+  float share = lower < lesser ? lower * lower / max(2.0f * lesser * greater, 1.0e-9f)
+                               : (lower - 0.5f * lesser) / greater;
+  return inside > 0.5f ? 1.0f - share : share;
+}
+
+// A screen made uniform (x), and its change across a pixel (y).
+//
+// Mixes another one into it. The directions in which they change are independent.
+vec2 mixScreens(vec2 screen, vec2 other, float part)
+{
+  float mixed = mix(screen.x, other.x, part);
+  float spread = 0.5f * length(vec2((1.0f - part) * screen.y, part * other.y));
+  float width = mixedShare(mixed + spread, part) - mixedShare(mixed - spread, part);
+  return vec2(mixedShare(mixed, part), width);
 }

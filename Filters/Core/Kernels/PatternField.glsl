@@ -5,17 +5,19 @@
 //
 // What a renderer does per pixel, and ToneTable.cxx does when it measures:
 //   s      wrapped LOD scale in [1, 2): wrapScale(similarity scale); 1 when fixed in the image
-//   tile   RG32F texture: red = screen, green = gradient (per texel of level 0, on every level),
-//          mip level k = k-th element of mipChain(), GL_REPEAT, linear filter in and between levels
+//   tile   RG16 texture: red = screen, green = gradient (per texel of level 0, on every level) over
+//          tileGradientRange; mip level k = k-th element of mipChain(), GL_REPEAT, linear filter in
+//          and between levels
 //   table  R32F texture, 256 tones wide, linear, clamped to edge: the ToneTable of the transition in
 //          use
+//   finest finestTileLevel(tpp1)
 //   tpp1   texels of level 0 per drawn pixel at s = 1 (the table is built with the same number):
 //          tile width / (periods across the tile * pixels per period)
 //
 //   float tpp = tpp1 / s;
 //   float t = lodBlend(s, s0, s1);
-//   vec2 first = textureLod(tile, uv, tileLevel(tpp)).rg;            // may be skipped when t == 1
-//   vec2 second = textureLod(tile, 2 uv, tileLevel(2.0 * tpp)).rg;   // may be skipped when t == 0
+//   vec2 first = tileTexel(textureLod(tile, uv, tileLevel(tpp, finest)).rg);          // unless t == 1
+//   vec2 second = tileTexel(textureLod(tile, 2 uv, tileLevel(2.0 * tpp, finest)).rg); // unless t == 0
 // The octaves blend as screens, so that marks change their shape,
 //   vec2 field = patternField(first, second, t, tpp);
 //   float threshold = texture(table, vec2(tableColumn(tone), tableRow(s, s0, s1))).r;
@@ -47,12 +49,28 @@ const float flatPeriod = 2.0f;
 // width fits the area coverage of all directions best.
 const float edgeSharpness = 0.9f;
 
+// Largest gradient that a tile's texture can hold: no screen changes more from texel to texel.
+const float tileGradientRange = 2.0f;
+
+// Screen and gradient from what the texture of a tile holds.
+vec2 tileTexel(vec2 stored)
+{
+  return vec2(stored.x, tileGradientRange * stored.y);
+}
+
 // Mip level, may be fractional, for a footprint in texels of level 0 per pixel: up to two texels
 // per pixel are skipped, since edges are smoothed analytically, and coarser levels would make thin
-// strokes dotted.
-float tileLevel(float texelsPerPixel)
+// strokes dotted. `finest`: least level to draw from.
+float tileLevel(float texelsPerPixel, float finest)
 {
-  return max(0.0f, log2(max(texelsPerPixel, 1.0e-6f)) - 2.0f);
+  return max(finest, log2(max(texelsPerPixel, 1.0e-6f)) - 2.0f);
+}
+
+// The finest level that a pattern is drawn from, for its footprint at scale 1: some two texels per
+// pixel. Finer ones would show no more, and take several times the memory that caches must hold.
+float finestTileLevel(float texelsPerPixelAtScale1)
+{
+  return max(0.0f, floor(log2(max(texelsPerPixelAtScale1, 1.0e-6f)) + 0.5f) - 1.0f);
 }
 
 // Screen (x) and its change across a pixel (y) from the texels of both octaves.

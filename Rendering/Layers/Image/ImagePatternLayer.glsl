@@ -1,7 +1,8 @@
 // An image-pattern layer: a tileable screen, moved by a 2D similarity. '@' is the layer's number.
 
 //Section Ink
-uniform sampler2D hachureTile@; // r: screen, g: its change per texel of level 0
+uniform sampler2D hachureTile@; // screen and gradient, see tileTexel
+uniform float hachureFinest@;   // see finestTileLevel
 uniform float hachureFade@;     // 1: the octaves cross-fade as inks, 0: they blend as screens
 
 //Hachure::Paper::Dec
@@ -21,7 +22,8 @@ float hachureInkAt@(HachurePlacement at, vec2 position, float tone, float share,
   for (int octave = blend < 1.0 ? 0 : 1; octave <= last; ++octave)
   {
     float size = float(octave + 1);
-    texels[octave] = textureLod(hachureTile@, size * uv, tileLevel(size * footprint)).rg;
+    texels[octave] =
+      tileTexel(textureLod(hachureTile@, size * uv, tileLevel(size * footprint, hachureFinest@)).rg);
     field = patternField(
       texels[0], texels[1], hachureFade@ > 0.0 ? float(octave) : blend, footprint);
     float row = at.octaves[2 + octave] / hachureTableRows;
@@ -34,25 +36,20 @@ float hachureInkAt@(HachurePlacement at, vec2 position, float tone, float share,
 }
 
 //Section PaperDec
-uniform sampler2D hachurePaper@; // r: height of the paper, g: its change per texel of level 0
+uniform sampler2D hachurePaper@; // height of the paper and its gradient, see tileTexel
 uniform vec3 hachureGrain@;      // contrast, tiles of paper per tile, texels of paper per texel
 
 // Ink of a screen on rough paper: both decide together where ink goes first.
 float hachureInkOnPaper@(vec2 uv, vec2 field, float row, float tone, float footprint)
 {
-  float contrast = hachureGrain@.x;
   float texels = footprint * hachureGrain@.z;
-  vec2 paper = textureLod(hachurePaper@, hachureGrain@.y * uv, tileLevel(texels)).rg;
-  float own = hachureResponse(field.x + 0.5 * field.y, row) -
-    hachureResponse(field.x - 0.5 * field.y, row);
-  vec2 widths = vec2((1.0 - contrast) * own, contrast * paper.y * edgeSharpness * texels);
-  float spread = 0.5 * length(widths);
+  vec2 paper =
+    tileTexel(textureLod(hachurePaper@, hachureGrain@.y * uv, tileLevel(texels, 0.0)).rg);
   // A dry pencil catches on the heights first.
-  float mixed = mix(hachureResponse(field.x, row), 1.0 - paper.x, contrast);
-  vec4 weights = vec4(1.0 - contrast, contrast, 0.0, 0.0);
-  float width = clamp(
-    mixedShare(mixed + spread, weights) - mixedShare(mixed - spread, weights), 1.0e-4, 1.0);
-  return inkCoverage(mixedShare(mixed, weights), exactThreshold(tone, width), width);
+  vec2 mixed = mixScreens(hachureUniformScreen(field, row),
+    vec2(1.0 - paper.x, paper.y * edgeSharpness * texels), hachureGrain@.x);
+  float width = clamp(mixed.y, 1.0e-4, 1.0);
+  return inkCoverage(mixed.x, exactThreshold(tone, width), width);
 }
 //Section PaperImpl
     inks[octave] = tone <= 0.0 || tone >= 1.0
@@ -121,64 +118,44 @@ float hachureCoverage@(vec2 position, float tone)
 {
   float ink = 0.0;
   vec2 field = vec2(0.0);
-  for (int k = 0; k < 4; ++k)
+  for (int k = 0; k < hachurePatchCount; ++k)
   {
-    if (hachurePatchShares[k] <= 0.0)
-    {
-      break;
-    }
-    HachurePlacement at = hachurePlacementOf(@, hachurePatchNumbers[k]);
-    ink += hachurePatchShares[k] *
-      hachureInkAt@(at, position, tone, hachurePatchShares[k], field);
+    float share = hachurePatchShares[k];
+    ink += share *
+      hachureInkAt@(hachurePlacementOf(@, hachurePatchNumbers[k]), position, tone, share, field);
   }
   return ink;
 }
 
 //Section MixedPatches
-// Where octaves blend as screens, those of the patches do as well: each is made uniform by the
-// response of its own row of the tables, and their mixture by its distribution. That holds for
-// independent screens; screens that lie alike, as at the start, are mixed as inks.
+// Where octaves blend as screens, those of the patches do as well, one after the other: each is
+// made uniform by the response of its own row of the tables, and their mixture by its distribution.
+// That holds for independent screens; screens that lie alike, as at the start, are mixed as inks.
 float hachureCoverage@(vec2 position, float tone)
 {
   float faded = 0.0;
-  float mixed = 0.0;
-  float spread = 0.0;
+  vec2 mixed = vec2(0.0);
+  float sum = 0.0;
   float flatness = 0.0;
   float turned = 0.0;
   vec4 axes = vec4(0.0);
-  int count = 0;
-  for (int k = 0; k < 4; ++k)
+  for (int k = 0; k < hachurePatchCount; ++k)
   {
     float share = hachurePatchShares[k];
-    if (share <= 0.0)
-    {
-      break;
-    }
     HachurePlacement at = hachurePlacementOf(@, hachurePatchNumbers[k]);
     vec2 field = vec2(0.0);
     faded += share * hachureInkAt@(at, position, tone, share, field);
-    float row = at.octaves.z / hachureTableRows;
-    float width = hachureResponse(field.x + 0.5 * field.y, row) -
-      hachureResponse(field.x - 0.5 * field.y, row);
-    mixed += share * hachureResponse(field.x, row);
-    spread += share * share * width * width;
+    sum += share;
+    mixed = mixScreens(
+      mixed, hachureUniformScreen(field, at.octaves.z / hachureTableRows), share / sum);
     flatness += share * at.octaves.x;
     vec4 own = vec4(at.right.xy, at.up.xy) * (at.up.w > 0.5 ? 2.0 : 1.0);
     axes = k == 0 ? own : axes;
     turned = max(turned, length(own - axes) / length(axes));
-    ++count;
   }
-  // The directions in which the screens change are independent.
-  spread = 0.5 * sqrt(spread);
-  float ink = faded;
-  for (; count > 1; count = 0)
-  {
-    float value = mixedShare(mixed, hachurePatchShares);
-    float width = max(mixedShare(mixed + spread, hachurePatchShares) -
-        mixedShare(mixed - spread, hachurePatchShares),
-      1.0e-4);
-    float independent = mix(inkCoverage(value, exactThreshold(tone, width), width), tone, flatness);
-    ink = mix(faded, independent, smoothstep(0.1, 0.3, turned));
-  }
+  float width = max(mixed.y, 1.0e-4);
+  float independent =
+    mix(inkCoverage(mixed.x, exactThreshold(tone, width), width), tone, flatness);
+  float ink = mix(faded, independent, smoothstep(0.1, 0.3, turned));
   return tone <= 0.0 ? 0.0 : tone >= 1.0 ? 1.0 : ink;
 }

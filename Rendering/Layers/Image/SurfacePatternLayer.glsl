@@ -1,7 +1,7 @@
 // An image-pattern layer that lies on the surface: by texture coordinates, by projection along the
 // model's axes, or as a solid texture whose octave follows the distance. '@' is the layer's number.
 
-uniform sampler2D hachureTile@; // r: screen, g: its change per texel of level 0
+uniform sampler2D hachureTile@; // screen and gradient, see tileTexel
 uniform vec4 hachureTurn@;      // tile coordinates of a model position: along x (xy), along y (zw)
 uniform vec4 hachureGrowth@;    // times (point, 1): 1 / scale in the picture
 uniform vec4 hachureShape@;     // texels of the tile in x and y, texels per period, tiles per texture coordinate over tiles per model unit (0: no texture coordinates)
@@ -56,14 +56,14 @@ float hachureProjection@(vec2 at, vec2 alongX, vec2 alongY, float grown, float t
   for (int octave = blend < 1.0 ? 0 : 1; octave <= last; ++octave)
   {
     float size = float(octave + 1);
-    float level = tileLevel(size * axes.x);
+    float level = tileLevel(size * axes.x, 0.0);
     vec2 center = size * uv;
     vec2 step = exp2(floor(level)) / hachureShape@.xy;
     vec2 rise = vec2(textureLod(hachureTile@, center + vec2(step.x, 0.0), level).r -
         textureLod(hachureTile@, center - vec2(step.x, 0.0), level).r,
       textureLod(hachureTile@, center + vec2(0.0, step.y), level).r -
         textureLod(hachureTile@, center - vec2(0.0, step.y), level).r);
-    texels[octave] = textureLod(hachureTile@, center, level).rg;
+    texels[octave] = tileTexel(textureLod(hachureTile@, center, level).rg);
     across[octave] = footprintAcross(dx, dy, rise, axes.x);
     texels[octave].y *= across[octave] / axes.x;
     if (hachureKind@.y > 0.0)

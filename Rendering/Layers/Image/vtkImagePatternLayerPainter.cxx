@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 
 namespace
@@ -34,9 +35,22 @@ constexpr double blendedStep = 2.0;
 constexpr double wholeInPixels = 512.0;
 constexpr double radiansPerDegree = 3.14159265358979323846 / 180.0;
 
+// How OpenGL names texels of two 16-bit fractions and of four numbers.
+struct TexelFormat
+{
+  int Components;
+  int Type;
+  int Internal;
+  GLenum Layout;
+  GLenum Value;
+};
+constexpr TexelFormat ScreenTexels = { 2, VTK_UNSIGNED_SHORT, GL_RG16, GL_RG, GL_UNSIGNED_SHORT };
+constexpr TexelFormat DabTexels = { 4, VTK_FLOAT, GL_RGBA32F, GL_RGBA, GL_FLOAT };
+
 // Every level is made by the caller, so the driver must not compute it.
-void UploadLevels(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int components,
-  std::vector<std::vector<float>>& levels, int width, int height)
+template <class Number>
+void UploadLevels(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+  const TexelFormat& format, std::vector<std::vector<Number>>& levels, int width, int height)
 {
   texture->ReleaseGraphicsResources(window);
   texture->SetContext(window);
@@ -50,35 +64,44 @@ void UploadLevels(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int 
     if (level == 0)
     {
       texture->Create2DFromRaw(static_cast<unsigned int>(columns), static_cast<unsigned int>(rows),
-        components, VTK_FLOAT, levels[0].data());
+        format.Components, format.Type, levels[0].data());
       texture->Bind();
     }
     else
     {
-      glTexImage2D(GL_TEXTURE_2D, static_cast<int>(level), components == 2 ? GL_RG32F : GL_RGBA32F,
-        columns, rows, 0, components == 2 ? GL_RG : GL_RGBA, GL_FLOAT, levels[level].data());
+      glTexImage2D(GL_TEXTURE_2D, static_cast<int>(level), format.Internal, columns, rows, 0,
+        format.Layout, format.Value, levels[level].data());
     }
   }
   texture->SendParameters();
 }
 
+std::uint16_t Fraction(float value)
+{
+  constexpr float largest = 65535.0f;
+  return static_cast<std::uint16_t>(std::lround(largest * std::clamp(value, 0.0f, 1.0f)));
+}
+
+// Fractions of 16 bits are as exact as a screen needs, and software OpenGL filters them twice as
+// fast as floating point numbers.
 void UploadScreens(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   const std::vector<hachure::PatternTile>& tiles)
 {
   texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
   texture->SetMagnificationFilter(vtkTextureObject::Linear);
-  std::vector<std::vector<float>> levels;
+  std::vector<std::vector<std::uint16_t>> levels;
   for (const hachure::PatternTile& tile : tiles)
   {
-    std::vector<float> texels;
+    std::vector<std::uint16_t> texels;
+    texels.reserve(2 * tile.screen.size());
     for (std::size_t i = 0; i < tile.screen.size(); ++i)
     {
-      texels.push_back(tile.screen[i]);
-      texels.push_back(tile.gradient[i]);
+      texels.push_back(Fraction(tile.screen[i]));
+      texels.push_back(Fraction(tile.gradient[i] / hachure::glsl::tileGradientRange));
     }
     levels.push_back(std::move(texels));
   }
-  UploadLevels(window, texture, 2, levels, tiles.front().width, tiles.front().height);
+  UploadLevels(window, texture, ScreenTexels, levels, tiles.front().width, tiles.front().height);
 }
 
 // Offset and opacity of the dabs on top, with the height of the paint, or of those below them, with
@@ -106,7 +129,7 @@ void UploadDabs(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
     levels.push_back(std::move(texels));
   }
   const hachure::PatternTile& first = tiles.front().pattern;
-  UploadLevels(window, texture, 4, levels, first.width, first.height);
+  UploadLevels(window, texture, DabTexels, levels, first.width, first.height);
 }
 } // namespace
 
@@ -252,6 +275,11 @@ hachure::ToneTableOptions vtkImagePatternLayerPainter::TableOptions() const
     const double coarsest = tile.width / (tile.periods * double(hachure::glsl::flatPeriod));
     options.texelsPerPixelAtScale1 = 2.0 * coarsest / std::pow(singleStep, textureBlocks);
   }
+  if (!this->OnSurface())
+  {
+    options.finestLevel =
+      hachure::glsl::finestTileLevel(static_cast<float>(options.texelsPerPixelAtScale1));
+  }
   options.lodStart = std::min(this->Layer->GetLodStart(), 1.98);
   options.lodEnd = std::max(this->Layer->GetLodEnd(), options.lodStart + 0.01);
   options.transition = this->Transition();
@@ -378,6 +406,8 @@ void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const s
     return;
   }
   program->SetUniformf(("hachureFade" + number).c_str(), this->BlendsScreens() ? 0.0f : 1.0f);
+  program->SetUniformf(("hachureFinest" + number).c_str(),
+    static_cast<float>(this->Tables.front()->options.finestLevel));
   if (this->Paper)
   {
     this->SetPaperUniforms(program, number);

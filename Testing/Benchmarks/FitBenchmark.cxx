@@ -95,12 +95,13 @@ int main(int argumentCount, char** arguments)
   const auto after = projectSamples(scene.samples(), viewAt(0.02), FacingRule::FrontOnly);
   const auto weightsBefore = facingWeights(before, WeightScheme::Symmetric);
   const auto weightsAfter = facingWeights(after, WeightScheme::Symmetric);
+  const PatchRuns runs = findPatchRuns(scene.patches, count, scene.spacing.size());
   double checksum = 0.0;
   const double fit = leastCost(count,
     [&]
     {
-      checksum += fitPatches({ before, weightsBefore }, { after, weightsAfter }, scene.patches,
-        scene.spacing.size(), WeightScheme::Symmetric)
+      checksum += fitPatches(
+        { before, weightsBefore }, { after, weightsAfter }, runs, WeightScheme::Symmetric)
                     .fits[0]
                     .weight;
     });
@@ -114,6 +115,7 @@ int main(int argumentCount, char** arguments)
     });
   // The sphere rocks a little, so that what is visible stays about the same.
   std::vector<std::uint8_t> visibility;
+  visibility.reserve(count);
   for (const double weight : weightsBefore)
   {
     visibility.push_back(weight > 0.0 ? 255 : 0);

@@ -25,7 +25,7 @@ vtkStandardNewMacro(vtkSimilarityTracker);
 
 namespace
 {
-std::vector<hachure::ProjectedSample> project(const hachure::TrackedSampleSet& samples,
+hachure::ProjectedSamples project(const hachure::TrackedSampleSet& samples,
   const hachure::SampleGeometry& geometry, vtkCamera* camera, const double size[2])
 {
   return hachure::projectSamples(
@@ -34,7 +34,8 @@ std::vector<hachure::ProjectedSample> project(const hachure::TrackedSampleSet& s
 }
 
 void fillTable(vtkTable* table, const std::vector<int>& patchIds,
-  const std::vector<hachure::PatternFrame>& anchors, const hachure::PatchFits& fits)
+  const hachure::PatternFrame& anchor, const std::vector<hachure::SimilarityFit>& fits,
+  const std::vector<hachure::PatchResidual>& residuals)
 {
   const auto rows = static_cast<vtkIdType>(patchIds.size());
   vtkNew<vtkIntArray> ids;
@@ -59,12 +60,12 @@ void fillTable(vtkTable* table, const std::vector<int>& patchIds,
 
   for (vtkIdType row = 0; row < rows; ++row)
   {
-    const hachure::SimilarityFit& fit = fits.fits[static_cast<std::size_t>(row)];
-    const hachure::PatternFrame frame =
-      hachure::advance(anchors[static_cast<std::size_t>(row)], fit.transform);
+    const hachure::SimilarityFit& fit = fits[static_cast<std::size_t>(row)];
+    const hachure::PatternFrame frame = hachure::advance(anchor, fit.transform);
     const hachure::Similarity& step = fit.transform;
     const double values[] = { frame.origin.x, frame.origin.y, frame.u.x, frame.u.y, frame.v.x,
-      frame.v.y, step.z.x, step.z.y, step.scale(), step.angleDegrees(), fit.weight, fit.residual };
+      frame.v.y, step.z.x, step.z.y, step.scale(), step.angleDegrees(), fit.weight,
+      residuals[static_cast<std::size_t>(row)].residual };
     ids->SetValue(row, patchIds[static_cast<std::size_t>(row)]);
     for (std::size_t k = 0; k < columns.size(); ++k)
     {
@@ -168,13 +169,13 @@ int vtkSimilarityTracker::RequestData(
     const std::vector<double> weightsAfter = hachure::facingWeights(samplesAfter, scheme);
     const hachure::WeightedFrame frameBefore{ samplesBefore, weightsBefore };
     const hachure::WeightedFrame frameAfter{ samplesAfter, weightsAfter };
-    const std::size_t rows = samples.patchIds.size();
-    hachure::PatchFits fits =
-      hachure::fitPatches(frameBefore, frameAfter, samples.patches, rows, scheme);
-    hachure::measureResiduals(fits, frameBefore, frameAfter, samples.patches);
-    const hachure::PatternAnchors anchors =
-      hachure::anchorPatterns(samplesBefore, samples.patches, rows);
-    fillTable(vtkTable::GetData(outputVector), samples.patchIds, anchors.frames, fits);
+    const hachure::PatchRuns patches =
+      hachure::findPatchRuns(samples.patches, samplesBefore.size(), samples.patchIds.size());
+    const std::vector<hachure::SimilarityFit> fits =
+      hachure::fitPatches(frameBefore, frameAfter, patches, scheme).fits;
+    fillTable(vtkTable::GetData(outputVector), samples.patchIds,
+      hachure::anchorPattern(samplesBefore), fits,
+      hachure::measureResiduals(fits, frameBefore, frameAfter, patches, scheme));
   }
   catch (const std::invalid_argument& error)
   {

@@ -3,13 +3,12 @@
 #ifndef hachure_PatchFit_h
 #define hachure_PatchFit_h
 
+#include "PatchRuns.h"
 #include "SampleProjection.h"
+#include "SampleWeights.h"
 #include "Similarity.h"
 #include "Span.h"
 
-#include <glm/vec2.hpp>
-
-#include <cstdint>
 #include <vector>
 
 // The similarity transforms of all patches of a surface between two frames, from the same samples
@@ -17,51 +16,36 @@
 namespace hachure
 {
 
-enum class WeightScheme : std::uint8_t
-{
-  Symmetric, // geometric mean of both frames' weights (default)
-  Classic,   // the paper's: the current frame's weight, 0 where the previous one was 0
-  Unweighted // 1 where visible in both frames, 0 elsewhere
-};
-
 // One frame: positions and weights of the samples. The weights of `samples` themselves are not
 // read.
 struct WeightedFrame
 {
-  Span<const ProjectedSample> samples;
+  const ProjectedSamples& samples;
   Span<const double> weights;
 };
 
 struct PatchFits
 {
-  std::vector<double> weights;         // per sample, common to both frames
   std::vector<SimilarityFit> fits;     // per patch
   std::vector<double> previousWeights; // per patch, sum over the previous frame
   std::vector<double> currentWeights;  // per patch, sum over the current frame
 };
 
-// Throws std::invalid_argument on arrays of different sizes and patches outside [0, patchTotal).
+// Throws std::invalid_argument on arrays of different sizes.
 PatchFits fitPatches(const WeightedFrame& previous, const WeightedFrame& current,
-  Span<const std::int32_t> patches, std::size_t patchTotal, WeightScheme scheme);
+  const PatchRuns& patches, WeightScheme scheme);
 
-// Fills the residuals of the fits, which need the transforms: a second pass over the samples.
-void measureResiduals(PatchFits& fits, const WeightedFrame& previous, const WeightedFrame& current,
-  Span<const std::int32_t> patches);
-
-// Weights by facing alone, of samples projected with FrontOnly or Signed. 0 or 1 where unweighted.
-std::vector<double> facingWeights(Span<const ProjectedSample> samples, WeightScheme scheme);
-
-// Where patterns begin: an upright frame of scale 1 at the weighted centroid of the front sides in
-// sight, or of everything where there is none. It is the same for all patches, so that their
-// patterns begin as one and no border shows before the patches have moved differently.
-struct PatternAnchors
+// How far the pattern of a patch slid over some of its samples.
+struct PatchResidual
 {
-  std::vector<PatternFrame> frames;
-  std::vector<double> frontWeights; // per patch, 0 where no front is in sight
+  double residual = 0.0; // weighted mean in pixels, 0 where no sample counts
+  double weight = 0.0;   // of the samples that count, common to both frames of the step
 };
 
-PatternAnchors anchorPatterns(
-  Span<const ProjectedSample> samples, Span<const std::int32_t> patches, std::size_t patchTotal);
+// Per patch. It needs the transforms: a second pass over the samples. Throws as fitPatches does.
+std::vector<PatchResidual> measureResiduals(Span<const SimilarityFit> fits,
+  const WeightedFrame& previous, const WeightedFrame& current, const PatchRuns& patches,
+  WeightScheme scheme);
 
 } // namespace hachure
 

@@ -16,33 +16,9 @@ namespace hachure
 namespace
 {
 
-constexpr double fullVisibility = 255.0;
-// The unweighted scheme counts a sample from half visible on.
-constexpr std::uint8_t halfVisible = 128;
 // Without a measured visibility for the drawn frame steps start from the last commit, until one of
 // them has less than this part of its weight in common with it.
 constexpr double weakCommonWeight = 0.5;
-
-bool equalSamples(const std::vector<ProjectedSample>& a, const std::vector<ProjectedSample>& b)
-{
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-    [](const ProjectedSample& left, const ProjectedSample& right)
-    { return left.position == right.position && left.weight == right.weight; });
-}
-
-bool isOutside(glm::dvec2 position, glm::dvec2 size)
-{
-  return position.x < 0.0 || position.y < 0.0 || position.x > size.x || position.y > size.y;
-}
-
-std::vector<std::int32_t> patchPerSample(const TrackedSamples& samples)
-{
-  if (samples.patches.empty())
-  {
-    return std::vector<std::int32_t>(samples.positions.size(), 0);
-  }
-  return { samples.patches.begin(), samples.patches.end() };
-}
 
 void checkFraction(const char* name, double value)
 {
@@ -64,7 +40,13 @@ void PatternTracker::setOptions(const TrackerOptions& newOptions)
     throw std::invalid_argument("PatternTracker::setOptions: maximumDisplacement is " +
       std::to_string(newOptions.maximumDisplacement) + ", expected more than 0");
   }
+  const bool otherWeights = this->options.scheme != newOptions.scheme;
   this->options = newOptions;
+  if (otherWeights)
+  {
+    this->weigh(this->base, this->base.visibility);
+    this->weigh(this->now, this->drawnVisibility());
+  }
 }
 
 void PatternTracker::reanchor()
@@ -74,34 +56,29 @@ void PatternTracker::reanchor()
 
 bool PatternTracker::matches(const TrackedSamples& samples) const
 {
-  return this->started && this->patches == patchPerSample(samples) &&
-    this->patchTotal == std::max(patchCount(samples), samples.patchSpacing.size());
+  return this->started && this->patches.patchTotal == samples.patchSpacing.size() &&
+    areRunsOf(this->patches, samples.patches, samples.positions.size());
 }
 
-// What each sample weighs in this frame. The visibility of a sample outside the picture cannot be
-// measured: there the front sides count, as everywhere as long as no visibility is known.
-std::vector<double> PatternTracker::weights(
-  const Picture& picture, const std::vector<std::uint8_t>& visibility) const
+void PatternTracker::project(
+  const TrackedSamples& samples, const ViewProjection& newView, Picture& picture)
 {
-  std::vector<double> result = facingWeights(picture.samples, this->options.scheme);
-  const bool unweighted = this->options.scheme == WeightScheme::Unweighted;
-  for (std::size_t i = 0; i < visibility.size(); ++i)
-  {
-    const ProjectedSample& sample = picture.samples[i];
-    if (isOutside(sample.position, picture.viewportSize))
-    {
-      continue;
-    }
-    if (unweighted)
-    {
-      result[i] = visibility[i] >= halfVisible && sample.weight != 0.0 ? 1.0 : 0.0;
-    }
-    else
-    {
-      result[i] = std::abs(sample.weight) * visibility[i] / fullVisibility;
-    }
-  }
-  return result;
+  projectSamples(samples, newView, FacingRule::Signed, picture.samples);
+  picture.viewportSize = newView.viewportSize;
+  picture.visibility.clear();
+}
+
+void PatternTracker::weigh(Picture& picture, Span<const std::uint8_t> visibility) const
+{
+  weighSamples(
+    picture.samples, picture.viewportSize, visibility, this->options.scheme, picture.weights);
+}
+
+// What is known of the visibility in the frame drawn last: until it is measured, that of the frame
+// that it was predicted from.
+Span<const std::uint8_t> PatternTracker::drawnVisibility() const
+{
+  return this->now.visibility.empty() ? this->base.visibility : this->now.visibility;
 }
 
 // A patch hidden in one of the frames waits; one seen in both frames must have moved as one.
@@ -116,18 +93,14 @@ bool PatternTracker::isCut(const PatchFits& fits, std::size_t patch, double diag
         this->options.maximumDisplacement * diagonal);
 }
 
-PatternTracker::Step PatternTracker::fitStep(const Picture& previous,
-  const std::vector<std::uint8_t>& previousVisibility, const Picture& current,
-  const std::vector<std::uint8_t>& currentVisibility) const
+PatternTracker::Step PatternTracker::fitStep(const Picture& previous, const Picture& current) const
 {
-  const std::vector<double> previousWeights = this->weights(previous, previousVisibility);
-  const std::vector<double> currentWeights = this->weights(current, currentVisibility);
   Step step;
-  step.patches = fitPatches({ previous.samples, previousWeights },
-    { current.samples, currentWeights }, this->patches, this->patchTotal, this->options.scheme);
+  step.patches = fitPatches({ previous.samples, previous.weights },
+    { current.samples, current.weights }, this->patches, this->options.scheme);
   const double diagonal =
     std::max(glm::length(previous.viewportSize), glm::length(current.viewportSize));
-  for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
+  for (std::size_t patch = 0; patch < this->patches.patchTotal; ++patch)
   {
     const double smaller =
       std::min(step.patches.previousWeights[patch], step.patches.currentWeights[patch]);
@@ -143,24 +116,33 @@ PatternTracker::Step PatternTracker::fitStep(const Picture& previous,
 std::vector<PatternFrame> PatternTracker::framesAfter(
   const Picture& previous, const Picture& current, const Step& step) const
 {
-  const PatternAnchors anchors = anchorPatterns(current.samples, this->patches, this->patchTotal);
-  std::vector<PatternFrame> frames = anchors.frames;
+  const std::size_t total = this->patches.patchTotal;
   const auto continues = [&](std::size_t patch)
   { return step.cut[patch] == 0 && this->seen[patch] != 0; };
-  std::size_t widest = this->patchTotal;
-  for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
+  std::vector<PatternFrame> frames(total);
+  std::size_t widest = total;
+  bool allContinue = true;
+  for (std::size_t patch = 0; patch < total; ++patch)
   {
     if (continues(patch))
     {
       frames[patch] = this->follow(previous.frames[patch], step.patches.fits[patch]);
       const bool wider =
-        widest == this->patchTotal || anchors.frontWeights[patch] > anchors.frontWeights[widest];
+        widest == total || current.frontWeights[patch] > current.frontWeights[widest];
       widest = wider ? patch : widest;
     }
+    else
+    {
+      allContinue = false;
+    }
   }
-  for (std::size_t patch = 0; patch < this->patchTotal && widest < this->patchTotal; ++patch)
+  if (!allContinue)
   {
-    frames[patch] = continues(patch) ? frames[patch] : frames[widest];
+    const PatternFrame fresh = widest < total ? frames[widest] : anchorPattern(current.samples);
+    for (std::size_t patch = 0; patch < total; ++patch)
+    {
+      frames[patch] = continues(patch) ? frames[patch] : fresh;
+    }
   }
   return frames;
 }
@@ -179,20 +161,31 @@ PatternFrame PatternTracker::follow(const PatternFrame& frame, const SimilarityF
   return hachure::advance(frame, transform);
 }
 
-void PatternTracker::start(const TrackedSamples& samples, Picture picture)
+// The samples of the next picture replace those before, whose visibility tells nothing of them.
+void PatternTracker::adopt(const TrackedSamples& samples)
 {
-  this->patches = patchPerSample(samples);
-  this->patchTotal = std::max(patchCount(samples), samples.patchSpacing.size());
-  PatternAnchors anchors = anchorPatterns(picture.samples, this->patches, this->patchTotal);
-  picture.frames = std::move(anchors.frames);
-  picture.anchored.assign(this->patchTotal, 1);
-  this->seen.assign(this->patchTotal, 0);
-  this->markSeen(anchors.frontWeights);
-  this->stepResidual.assign(this->patchTotal, 0.0);
-  this->stepWeight.assign(this->patchTotal, 0.0);
-  this->stepStatus.assign(this->patchTotal, FitStatus::NoSamples);
+  const std::size_t total = samples.patchSpacing.size();
+  this->patches = findPatchRuns(samples.patches, samples.positions.size(), total);
+  this->seen.resize(total, 0); // patches that are new anchor when they are seen
+  this->stepResidual.resize(total, 0.0);
+  this->stepWeight.resize(total, 0.0);
+  this->stepStatus.resize(total, FitStatus::NoSamples);
   this->commitment.clear();
-  this->now = std::move(picture);
+  this->weigh(this->next, {});
+  this->next.frontWeights = frontWeights(this->next.samples, this->patches);
+}
+
+void PatternTracker::start(const TrackedSamples& samples)
+{
+  this->seen.clear();
+  this->stepResidual.clear();
+  this->stepWeight.clear();
+  this->stepStatus.clear();
+  this->adopt(samples);
+  this->markSeen(this->next);
+  this->next.frames.assign(this->patches.patchTotal, anchorPattern(this->next.samples));
+  this->next.anchored.assign(this->patches.patchTotal, 1);
+  this->now = std::move(this->next);
   this->base = this->now;
   this->started = true;
 }
@@ -203,81 +196,76 @@ void PatternTracker::replaceSamples(const TrackedSamples& samples)
   {
     return;
   }
-  Picture picture;
-  picture.samples = projectSamples(samples, this->view, FacingRule::Signed);
-  picture.viewportSize = this->now.viewportSize;
-  picture.frames = this->now.frames;
-  this->patches = patchPerSample(samples);
-  this->patchTotal = std::max(patchCount(samples), samples.patchSpacing.size());
-  picture.frames.resize(this->patchTotal);
-  picture.anchored.assign(this->patchTotal, 0);
-  this->seen.resize(this->patchTotal, 0); // patches that are new anchor when they are seen
-  this->stepResidual.resize(this->patchTotal, 0.0);
-  this->stepWeight.resize(this->patchTotal, 0.0);
-  this->stepStatus.resize(this->patchTotal, FitStatus::NoSamples);
-  this->commitment.clear();
-  this->now = std::move(picture);
+  PatternTracker::project(samples, this->view, this->next);
+  this->adopt(samples);
+  this->next.frames = this->now.frames;
+  this->next.frames.resize(this->patches.patchTotal);
+  this->next.anchored.assign(this->patches.patchTotal, 0);
+  this->now = std::move(this->next);
   this->base = this->now;
 }
 
-void PatternTracker::markSeen(const std::vector<double>& frontWeights)
+void PatternTracker::markSeen(const Picture& picture)
 {
-  for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
+  for (std::size_t patch = 0; patch < this->patches.patchTotal; ++patch)
   {
-    this->seen[patch] = this->seen[patch] != 0 || frontWeights[patch] > 0.0 ? 1 : 0;
+    this->seen[patch] = this->seen[patch] != 0 || picture.frontWeights[patch] > 0.0 ? 1 : 0;
   }
 }
 
 // Makes the drawn frame the start of the next step, if its own weights are known. Before the first
-// visibility is measured they are: facing alone decides.
-void PatternTracker::settle()
+// visibility is measured they are: facing alone decides. Whether it did.
+bool PatternTracker::settle()
 {
-  if (!this->now.visibility.empty())
+  const bool measured = !this->now.visibility.empty();
+  if (!measured && !this->base.visibility.empty())
   {
-    this->base = std::move(this->now);
+    return false;
+  }
+  std::swap(this->base, this->now);
+  if (measured)
+  {
     this->base.frames = std::move(this->commitment);
     this->commitment.clear();
   }
-  else if (this->base.visibility.empty())
-  {
-    this->base = std::move(this->now);
-  }
+  return true;
 }
 
-void PatternTracker::predict(Picture picture)
+void PatternTracker::predict(bool settled)
 {
-  const std::vector<std::uint8_t> known = this->base.visibility;
-  Step step = this->fitStep(this->base, known, picture, known);
-  if (step.weak && !this->now.samples.empty())
+  this->weigh(this->next, this->base.visibility);
+  Step step = this->fitStep(this->base, this->next);
+  if (step.weak && !settled)
   {
     // The drawn frame was never measured: give up on its own weights rather than on the surface.
-    this->base = std::move(this->now);
-    this->base.visibility = known;
-    step = this->fitStep(this->base, known, picture, known);
+    std::swap(this->base, this->now);
+    std::swap(this->base.visibility, this->now.visibility);
+    step = this->fitStep(this->base, this->next);
   }
-  const PatternAnchors anchors = anchorPatterns(picture.samples, this->patches, this->patchTotal);
-  picture.frames = this->framesAfter(this->base, picture, step);
-  picture.anchored = step.cut;
-  for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
+  this->next.frontWeights = frontWeights(this->next.samples, this->patches);
+  this->next.frames = this->framesAfter(this->base, this->next, step);
+  this->next.anchored = step.cut;
+  for (std::size_t patch = 0; patch < this->patches.patchTotal; ++patch)
   {
     if (this->seen[patch] == 0)
     {
-      picture.anchored[patch] = 1;
+      this->next.anchored[patch] = 1;
     }
   }
-  this->markSeen(anchors.frontWeights);
-  this->measureStep(picture, step);
-  this->now = std::move(picture);
+  this->markSeen(this->next);
+  this->measureStep(step);
+  std::swap(this->now, this->next);
 }
 
-void PatternTracker::measureStep(const Picture& picture, Step& step)
+void PatternTracker::measureStep(const Step& step)
 {
-  measureResiduals(
-    step.patches, { this->base.samples, {} }, { picture.samples, {} }, this->patches);
-  for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
+  const std::vector<PatchResidual> slides =
+    measureResiduals(step.patches.fits, { this->base.samples, this->base.weights },
+      { this->next.samples, this->next.weights }, this->patches, this->options.scheme);
+  for (std::size_t patch = 0; patch < this->patches.patchTotal; ++patch)
   {
-    this->stepResidual[patch] = step.patches.fits[patch].residual;
-    this->stepWeight[patch] = step.patches.fits[patch].weight;
+    this->stepResidual[patch] = slides[patch].residual;
+    this->stepWeight[patch] = slides[patch].weight;
     this->stepStatus[patch] = step.patches.fits[patch].status;
   }
 }
@@ -302,45 +290,37 @@ std::vector<PatchResidual> PatternTracker::residualOver(
       std::to_string(this->now.samples.size()));
   }
   // The drawn step was predicted with the visibility of the frame that it starts from.
-  const std::vector<std::uint8_t>& known = this->base.visibility;
-  PatchFits fits = this->fitStep(this->base, known, this->now, known).patches;
-  for (SimilarityFit& fit : fits.fits)
-  {
-    fit.weight = 0.0;
-  }
+  std::vector<double> predicted;
+  weighSamples(this->now.samples, this->now.viewportSize, this->base.visibility,
+    this->options.scheme, predicted);
+  const WeightedFrame current{ this->now.samples, predicted };
+  const PatchFits fits = fitPatches(
+    { this->base.samples, this->base.weights }, current, this->patches, this->options.scheme);
+  std::vector<double> turned = this->base.weights;
   const std::vector<double> facing = sampleFacing(samples, this->view);
   for (std::size_t i = 0; i < facing.size(); ++i)
   {
-    fits.weights[i] = facing[i] < minimumFacing ? 0.0 : fits.weights[i];
-    fits.fits[static_cast<std::size_t>(this->patches[i])].weight += fits.weights[i];
+    turned[i] = facing[i] < minimumFacing ? 0.0 : turned[i];
   }
-  measureResiduals(fits, { this->base.samples, {} }, { this->now.samples, {} }, this->patches);
-  std::vector<PatchResidual> result;
-  for (const SimilarityFit& fit : fits.fits)
-  {
-    result.push_back({ fit.residual, fit.weight });
-  }
-  return result;
+  return measureResiduals(
+    fits.fits, { this->base.samples, turned }, current, this->patches, this->options.scheme);
 }
 
 bool PatternTracker::advance(const TrackedSamples& samples, const ViewProjection& newView)
 {
-  Picture picture;
-  picture.samples = projectSamples(samples, newView, FacingRule::Signed);
-  picture.viewportSize = newView.viewportSize;
+  PatternTracker::project(samples, newView, this->next);
   if (!this->matches(samples))
   {
-    this->start(samples, std::move(picture));
+    this->start(samples);
     this->view = newView;
     return true;
   }
-  if (newView == this->view && equalSamples(picture.samples, this->now.samples))
+  if (newView == this->view && this->next.samples == this->now.samples)
   {
     return false;
   }
   const std::vector<PatternFrame> before = this->now.frames;
-  this->settle();
-  this->predict(std::move(picture));
+  this->predict(this->settle());
   this->view = newView;
   return this->now.frames != before;
 }
@@ -355,10 +335,9 @@ void PatternTracker::setVisibility(Span<const std::uint8_t> visibility)
       ", the samples of the last advance");
   }
   this->now.visibility.assign(visibility.begin(), visibility.end());
-  const Step step =
-    this->fitStep(this->base, this->base.visibility, this->now, this->now.visibility);
-  this->commitment = this->framesAfter(this->base, this->now, step);
-  for (std::size_t patch = 0; patch < this->patchTotal; ++patch)
+  this->weigh(this->now, this->now.visibility);
+  this->commitment = this->framesAfter(this->base, this->now, this->fitStep(this->base, this->now));
+  for (std::size_t patch = 0; patch < this->patches.patchTotal; ++patch)
   {
     if (this->now.anchored[patch] != 0)
     {
@@ -388,15 +367,14 @@ std::vector<PatternFrame> PatternTracker::previewFromDrawn(
     return this->preview(samples, otherView);
   }
   Picture picture;
-  picture.samples = projectSamples(samples, otherView, FacingRule::Signed);
-  picture.viewportSize = otherView.viewportSize;
-  if (otherView == this->view && equalSamples(picture.samples, this->now.samples))
+  PatternTracker::project(samples, otherView, picture);
+  if (otherView == this->view && picture.samples == this->now.samples)
   {
     return this->now.frames;
   }
-  const std::vector<std::uint8_t>& known =
-    this->now.visibility.empty() ? this->base.visibility : this->now.visibility;
-  return this->framesAfter(this->now, picture, this->fitStep(this->now, known, picture, known));
+  this->weigh(picture, this->drawnVisibility());
+  picture.frontWeights = frontWeights(picture.samples, this->patches);
+  return this->framesAfter(this->now, picture, this->fitStep(this->now, picture));
 }
 
 } // namespace hachure

@@ -35,13 +35,6 @@ struct TrackerOptions
   double minimumCorrelation = 0.25; // ... it resembles no similarity (SimilarityFit::correlation)
 };
 
-// How far the pattern of a patch slid over some of its samples.
-struct PatchResidual
-{
-  double residual; // weighted mean in pixels, 0 where no sample counts
-  double weight;   // of the samples that count, common to both frames of the step
-};
-
 class PatternTracker
 {
 public:
@@ -91,8 +84,10 @@ public:
 private:
   struct Picture
   {
-    std::vector<ProjectedSample> samples; // signed weights
+    ProjectedSamples samples;             // signed weights
+    std::vector<double> weights;          // by `visibility`, until measured by that of the base
     std::vector<std::uint8_t> visibility; // empty until measured
+    std::vector<double> frontWeights;     // per patch
     std::vector<PatternFrame> frames;
     std::vector<std::uint8_t> anchored;
     glm::dvec2 viewportSize{ 0.0 };
@@ -104,27 +99,28 @@ private:
     bool weak = false;             // some patch has lost half of its common weight
   };
 
-  std::vector<double> weights(
-    const Picture& picture, const std::vector<std::uint8_t>& visibility) const;
+  static void project(const TrackedSamples& samples, const ViewProjection& view, Picture& picture);
+  void weigh(Picture& picture, Span<const std::uint8_t> visibility) const;
+  Span<const std::uint8_t> drawnVisibility() const;
   bool isCut(const PatchFits& fits, std::size_t patch, double diagonal) const;
-  Step fitStep(const Picture& previous, const std::vector<std::uint8_t>& previousVisibility,
-    const Picture& current, const std::vector<std::uint8_t>& currentVisibility) const;
+  Step fitStep(const Picture& previous, const Picture& current) const;
   std::vector<PatternFrame> framesAfter(
     const Picture& previous, const Picture& current, const Step& step) const;
   PatternFrame follow(const PatternFrame& frame, const SimilarityFit& fit) const;
   bool matches(const TrackedSamples& samples) const;
-  void start(const TrackedSamples& samples, Picture picture);
-  void markSeen(const std::vector<double>& frontWeights);
-  void settle();
-  void predict(Picture picture);
-  void measureStep(const Picture& picture, Step& step);
+  void adopt(const TrackedSamples& samples);
+  void start(const TrackedSamples& samples);
+  void markSeen(const Picture& picture);
+  bool settle();
+  void predict(bool settled);
+  void measureStep(const Step& step);
 
   TrackerOptions options;
-  std::vector<std::int32_t> patches; // per sample
-  std::size_t patchTotal = 0;
+  PatchRuns patches;
   ViewProjection view;
   Picture base; // the committed state that the drawn step starts from
   Picture now;  // the frame drawn last
+  Picture next; // the frame to be drawn, in the memory of one before
   std::vector<PatternFrame>
     commitment;                   // frames of `now` with its own visibility; empty until known
   std::vector<std::uint8_t> seen; // per patch

@@ -56,13 +56,29 @@ struct ProjectedSample
   double weight = 0.0;
 };
 
+// One frame, an array for each component, so that several samples are read at once.
+struct ProjectedSamples
+{
+  std::vector<double> x, y, weights;
+
+  std::size_t size() const { return this->weights.size(); }
+  ProjectedSample operator[](std::size_t i) const
+  {
+    return { { this->x[i], this->y[i] }, this->weights[i] };
+  }
+  bool operator==(const ProjectedSamples& other) const;
+};
+
 // Samples this far out, in halves of the viewport from its centre, still steer a pattern.
 constexpr double frustumMargin = 1.2;
 
 // Throws std::invalid_argument on arrays of different sizes, values that are not finite, a patch
 // without spacing, and an empty viewport.
-std::vector<ProjectedSample> projectSamples(
+ProjectedSamples projectSamples(
   const TrackedSamples& samples, const ViewProjection& view, FacingRule facing);
+// The same into the memory of a frame before. What it holds after an exception is unspecified.
+void projectSamples(const TrackedSamples& samples, const ViewProjection& view, FacingRule facing,
+  ProjectedSamples& projected);
 
 // n.v of every sample: the cosine of the angle between its normal and the way to the eye, below 0
 // for a surface seen from its inner side; 0 where the normal is. Throws as projectSamples does.

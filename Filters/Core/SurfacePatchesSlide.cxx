@@ -159,20 +159,20 @@ private:
     }
     const TrackedSamples tracked{ positions, normals, samples.patches, samples.patchSpacing };
     double largest = 0.0;
-    std::vector<ProjectedSample> previous;
+    const PatchRuns patches = findPatchRuns(samples.patches, positions.size(), 1);
+    ProjectedSamples previous;
     std::vector<double> previousWeights;
     for (std::size_t i = 0; i < views.size(); ++i)
     {
-      std::vector<ProjectedSample> current =
-        projectSamples(tracked, views[i], FacingRule::FrontOnly);
+      ProjectedSamples current = projectSamples(tracked, views[i], FacingRule::FrontOnly);
       std::vector<double> weights = facingWeights(current, WeightScheme::Symmetric);
       if (i > 0)
       {
         const WeightedFrame before{ previous, previousWeights };
         const WeightedFrame after{ current, weights };
-        PatchFits fits = fitPatches(before, after, samples.patches, 1, WeightScheme::Symmetric);
-        measureResiduals(fits, before, after, samples.patches);
-        largest = std::max(largest, fits.fits[0].residual);
+        const PatchFits fits = fitPatches(before, after, patches, WeightScheme::Symmetric);
+        largest = std::max(largest,
+          measureResiduals(fits.fits, before, after, patches, WeightScheme::Symmetric)[0].residual);
       }
       previous = std::move(current);
       previousWeights = std::move(weights);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -22,7 +23,7 @@ constexpr std::size_t patchTotal = 7;
 // Runs of 1 to 13 samples, patches in no order, every third sample without weight.
 struct Frames
 {
-  std::vector<ProjectedSample> previous, current;
+  ProjectedSamples previous, current;
   std::vector<double> previousWeights, currentWeights;
   std::vector<std::int32_t> patches;
 
@@ -36,19 +37,26 @@ struct Frames
         const glm::dvec2 p(1000.0 + 300.0 * std::sin(3.1 * i), 500.0 + 200.0 * std::cos(1.7 * i));
         const glm::dvec2 c(1.1 * p.x - 0.2 * p.y + std::sin(i), 0.2 * p.x + 1.1 * p.y);
         const bool seen = this->patches.size() % 3 != 0;
-        this->previous.push_back({ p, 0.0 });
-        this->current.push_back({ c, 0.0 });
+        add(this->previous, p);
+        add(this->current, c);
         this->previousWeights.push_back(ones ? 1.0 : 2.0 + std::sin(5.0 * i));
         this->currentWeights.push_back(!seen ? 0.0 : (ones ? 1.0 : 2.0 + std::cos(7.0 * i)));
         this->patches.push_back((run * 5) % static_cast<int>(patchTotal - 1));
       }
     }
   }
-  PatchFits fit(WeightScheme scheme) const
+  static void add(ProjectedSamples& samples, glm::dvec2 position)
+  {
+    samples.x.push_back(position.x);
+    samples.y.push_back(position.y);
+    samples.weights.push_back(0.0);
+  }
+  PatchFits fit(const PatchRuns& runs, WeightScheme scheme) const
   {
     return fitPatches({ this->previous, this->previousWeights },
-      { this->current, this->currentWeights }, this->patches, patchTotal, scheme);
+      { this->current, this->currentWeights }, runs, scheme);
   }
+  PatchRuns runs() const { return findPatchRuns(this->patches, this->patches.size(), patchTotal); }
 };
 
 double commonWeight(WeightScheme scheme, double previous, double current)
@@ -62,7 +70,15 @@ double commonWeight(WeightScheme scheme, double previous, double current)
 
 void expectFitsOfPatches(const Frames& frames, WeightScheme scheme)
 {
-  const PatchFits found = frames.fit(scheme);
+  const PatchRuns runs = frames.runs();
+  const PatchFits found = frames.fit(runs, scheme);
+  const std::vector<PatchResidual> slides =
+    measureResiduals(found.fits, { frames.previous, frames.previousWeights },
+      { frames.current, frames.currentWeights }, runs, scheme);
+  // With a patch for every sample the weight of a patch is that of a sample.
+  std::vector<std::int32_t> alone(frames.patches.size());
+  std::iota(alone.begin(), alone.end(), 0);
+  const PatchFits single = frames.fit(findPatchRuns(alone, alone.size(), alone.size()), scheme);
   for (std::size_t patch = 0; patch < patchTotal; ++patch)
   {
     std::vector<glm::dvec2> p, c;
@@ -72,7 +88,7 @@ void expectFitsOfPatches(const Frames& frames, WeightScheme scheme)
     {
       const double common =
         commonWeight(scheme, frames.previousWeights[i], frames.currentWeights[i]);
-      ASSERT_EQ(found.weights[i], common);
+      ASSERT_EQ(single.fits[i].weight, common);
       if (static_cast<std::size_t>(frames.patches[i]) == patch)
       {
         p.push_back(frames.previous[i].position);
@@ -89,6 +105,8 @@ void expectFitsOfPatches(const Frames& frames, WeightScheme scheme)
     EXPECT_LT(glm::length(fit.transform.z - expected.transform.z), 1e-11);
     EXPECT_LT(glm::length(fit.transform.from - expected.transform.from), 1e-9);
     EXPECT_LT(glm::length(fit.transform.to - expected.transform.to), 1e-9);
+    EXPECT_NEAR(slides[patch].residual, expected.residual, 1e-9);
+    EXPECT_NEAR(slides[patch].weight, expected.weight, 1e-10);
     EXPECT_NEAR(found.previousWeights[patch], previous, 1e-10);
     EXPECT_NEAR(found.currentWeights[patch], current, 1e-10);
   }
@@ -110,13 +128,13 @@ TEST(PatchFit, WrongPatchesAreNamed)
     frames.patches[40] = wrong;
     try
     {
-      frames.fit(WeightScheme::Symmetric);
+      frames.runs();
       ADD_FAILURE() << "no error";
     }
     catch (const std::invalid_argument& error)
     {
       EXPECT_EQ(std::string(error.what()),
-        "fitPatches: patches[40] is " + std::to_string(wrong) + ", expected 0 to 7 - 1");
+        "findPatchRuns: patches[40] is " + std::to_string(wrong) + ", expected 0 to 7 - 1");
     }
   }
 }

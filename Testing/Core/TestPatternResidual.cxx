@@ -33,7 +33,7 @@ double facingOf(const Spheres& scene, std::size_t sample, const ViewProjection& 
 }
 
 // The mean slide in the step from one view to the next, by the definition.
-PatchResidual slideOf(const Spheres& scene, const std::vector<ProjectedSample>& before,
+PatchResidual slideOf(const Spheres& scene, const ProjectedSamples& before,
   const ViewProjection& afterView, std::int32_t patch, double minimumFacing)
 {
   const auto after = projectSamples(scene.samples(), afterView, FacingRule::FrontOnly);

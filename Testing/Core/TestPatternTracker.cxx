@@ -80,6 +80,28 @@ TEST(PatternTracker, ThereAndBackIsExact)
   RecordProperty("prediction", std::to_string(prediction));
 }
 
+// Frames that were drawn with another scheme count as if they had been drawn with the new one.
+TEST(PatternTracker, SchemesChangeBetweenFrames)
+{
+  const Spheres scene = occludingSpheres();
+  TrackerOptions unweighted;
+  unweighted.scheme = WeightScheme::Unweighted;
+  PatternTracker tracker, steady;
+  steady.setOptions(unweighted);
+  Camera camera;
+  drawFrame(tracker, scene, camera);
+  drawFrame(steady, scene, camera);
+  tracker.setOptions(unweighted);
+  for (const double azimuth : { 5.0, 10.0 })
+  {
+    camera.azimuth = azimuth;
+    drawFrame(tracker, scene, camera);
+    drawFrame(steady, scene, camera);
+    EXPECT_EQ(tracker.drawn()[0], steady.drawn()[0]);
+    EXPECT_EQ(tracker.committed()[0], steady.committed()[0]);
+  }
+}
+
 TEST(PatternTracker, ClassicWeightsDrift)
 {
   PatternFrame anchor;
@@ -96,7 +118,7 @@ double slide(const Spheres& scene, const Camera& first, const Camera& last)
   PatternTracker tracker;
   constexpr int steps = 20;
   double slid = 0.0, moved = 0.0;
-  std::vector<ProjectedSample> before;
+  ProjectedSamples before;
   PatternFrame frameBefore;
   for (int k = 0; k <= steps; ++k)
   {
@@ -106,7 +128,7 @@ double slide(const Spheres& scene, const Camera& first, const Camera& last)
     camera.pan += t * (last.pan - first.pan);
     camera.distance += t * (last.distance - first.distance);
     drawFrame(tracker, scene, camera);
-    const std::vector<ProjectedSample> after =
+    const ProjectedSamples after =
       projectSamples(scene.samples(), camera.view(), FacingRule::FrontOnly);
     const PatternFrame frame = tracker.drawn()[0];
     for (std::size_t i = 0; k > 0 && i < after.size(); ++i)

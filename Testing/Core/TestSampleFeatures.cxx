@@ -91,7 +91,7 @@ double slideOnHills(const Landscape& land, WeightScheme scheme)
   options.scheme = scheme;
   tracker.setOptions(options);
   double slid = 0.0, weight = 0.0;
-  std::vector<ProjectedSample> before;
+  ProjectedSamples before;
   PatternFrame old;
   for (int frame = 0; frame <= 30; ++frame)
   {

@@ -49,7 +49,8 @@ for kind in "Hatch", "Cross-hatch", "Halftone", "Stipple", "Paint", "Paper":
 assert same(dark, pictures["Hatch"])
 
 # Hatching in another kind, size, ink and hand is the style of halftone.
-as_halftone = {"PatternKind": "Halftone", "PatternScale": 6 / 7, "PatternIrregularity": -1, "PatternInk": "Color"}
+as_halftone = {"PatternKind": "Halftone", "PatternScale": 6 / 7, "PatternIrregularity": -1}
+as_halftone["PatternInk"] = "Color"
 assert same(draw(PatternStyle="halftone"), draw(PatternStyle="hatch", **as_halftone))
 sketched = draw("marks-sketched", PatternStyle="halftone", PatternIrregularity=0.35)
 assert same(sketched, draw(PatternStyle="hatch", **dict(as_halftone, PatternIrregularity=0)))
@@ -66,7 +67,8 @@ def write_picture(name):
     """A picture of 16 x 16 pixels, darker to the right."""
     image = vtkImageData()
     image.SetDimensions(16, 16, 1)
-    image.GetPointData().SetScalars(numpy_to_vtk(numpy.tile(numpy.arange(240, 0, -15, dtype=numpy.uint8), 16), 1))
+    ramp = numpy.tile(numpy.arange(240, 0, -15, dtype=numpy.uint8), 16)
+    image.GetPointData().SetScalars(numpy_to_vtk(ramp, 1))
     writer = vtkPNGWriter()
     writer.SetFileName(name)
     writer.SetInputData(image)

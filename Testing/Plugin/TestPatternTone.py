@@ -77,7 +77,7 @@ with scene.Messages() as messages:
     draw(ball, PatternTone="One light", PatternToneLight=7)
 assert messages.text.count("tone from light 7: the renderer has 1") == 1, messages.text
 
-# Highlights: a mirror of the light, in the middle for that of the viewer, half-way to the right for the other.
+# Highlights mirror the light: that of the viewer in the middle, the other half-way to the right.
 shine = {"PatternTone": "Highlight", "PatternHighlightPower": 10}
 first = draw(ball, "tone-highlight", True, PatternHighlightLight=0, **shine)
 second = draw(ball, None, True, PatternHighlightLight=1, **shine)

@@ -14,12 +14,12 @@
  *
  * What is drawn is made of a style, a preset or a file, and of what the other properties replace in
  * all of its layers. They start neutral: a property of the type Choice at AS_IN_STYLE leaves the
- * style as it is, as do PatternScale 1 and PatternAngle 0, and a colour, an array, a range or a
- * width counts only when the choice that it belongs to asks for it. A new representation therefore
- * shows its style exactly.
+ * style as it is, as do factors of 1 and numbers of 0 that are added, and a colour, an array, a
+ * range or a width counts only when the choice that it belongs to asks for it. A new representation
+ * therefore shows its style exactly.
  *
- * Setters of patches execute the pipeline of the surface again. No other one does: the style is
- * made anew before the next picture.
+ * Setters clamp to the range they state. Those of patches execute the pipeline of the surface
+ * again. No other one does: the style is made anew before the next picture.
  *
  * @sa vtkPatternMapper vtkPatternStyle
  */
@@ -28,13 +28,15 @@
 
 #include "HachureRepresentationsModule.h"
 #include "vtkGeometryRepresentationWithFaces.h"
-#include "vtkSmartPointer.h" // For the patches
+#include "vtkImagePatternLayer.h" // For the ranges of the setters
+#include "vtkPatchBlendWeights.h" // For the ranges of the setters
+#include "vtkPatternStyle.h"      // For the ranges of the setters
+#include "vtkPatternTone.h"       // For the ranges of the setters
+#include "vtkSmartPointer.h"      // For the patches
 
+#include <algorithm> // For the ranges of the setters
 #include <string>
 
-class vtkImagePatternLayer;
-class vtkPatternLayer;
-class vtkPatternStyle;
 class vtkRepresentationPatches;
 
 class HACHUREREPRESENTATIONS_EXPORT vtkPatternRepresentation
@@ -47,6 +49,13 @@ public:
 
   /** First value of every choice. */
   static constexpr int AS_IN_STYLE = -1;
+
+  /** Values of PatternInk. */
+  enum InkType
+  {
+    INK_COLOR = 0,     //!< PatternInkColor, for the outline too
+    SURFACE_COLORS = 1 //!< the colours of the lit surface below the marks
+  };
 
   /** Where patches, each of which moves its own pattern, come from. */
   enum PatchesType
@@ -75,9 +84,83 @@ public:
   ///@}
 
   ///@{
-  /** Source of the tone of all layers: AS_IN_STYLE, or vtkPatternTone's LIT (0), LIT_COLOR (1) or
-   * ARRAY (2). Default AS_IN_STYLE. */
-  void SetPatternTone(int source);
+  /** Factor on the size of the patterns. Range 0.01 to 100, default 1. */
+  void SetPatternScale(double scale)
+  {
+    this->Change(this->PatternScale, std::clamp(scale, 0.01, 100.0));
+  }
+  vtkGetMacro(PatternScale, double);
+  ///@}
+
+  ///@{
+  /** Turn of the patterns in degrees, counter-clockwise. Range -360 to 360, default 0. */
+  void SetPatternAngle(double angle)
+  {
+    this->Change(this->PatternAngle, std::clamp(angle, -360.0, 360.0));
+  }
+  vtkGetMacro(PatternAngle, double);
+  ///@}
+
+  ///@{
+  /** Ink of all layers: AS_IN_STYLE or one of InkType. Default AS_IN_STYLE. */
+  void SetPatternInk(int choice) { this->Choose(this->PatternInk, choice, SURFACE_COLORS); }
+  vtkGetMacro(PatternInk, int);
+  ///@}
+
+  ///@{
+  /** Ink where PatternInk asks for it, sRGB components 0 to 1; default black. */
+  void SetPatternInkColor(double red, double green, double blue)
+  {
+    this->ChangeColor(this->PatternInkColor, red, green, blue);
+  }
+  vtkGetVector3Macro(PatternInkColor, double);
+  ///@}
+
+  ///@{
+  /** Factor on the opacity of the ink of all layers. Range 0 to 1, default 1. */
+  void SetPatternInkOpacity(double factor)
+  {
+    this->Change(this->PatternInkOpacity, std::clamp(factor, 0.0, 1.0));
+  }
+  vtkGetMacro(PatternInkOpacity, double);
+  ///@}
+
+  ///@{
+  /** How the ink of all layers mixes with what lies below: AS_IN_STYLE, or vtkPatternLayer's OVER
+   * (0), MULTIPLY (1), OVERLAY (2) or SCREEN (3). Default AS_IN_STYLE. */
+  void SetPatternBlendMode(int choice)
+  {
+    this->Choose(this->PatternBlendMode, choice, vtkPatternLayer::SCREEN);
+  }
+  vtkGetMacro(PatternBlendMode, int);
+  ///@}
+
+  ///@{
+  /** What the paper shows: AS_IN_STYLE, or vtkPatternStyle's CONSTANT (0, PatternPaperColor),
+   * SURFACE (1) or FLAT (2). Default AS_IN_STYLE. */
+  void SetPatternPaper(int choice)
+  {
+    this->Choose(this->PatternPaper, choice, vtkPatternStyle::FLAT);
+  }
+  vtkGetMacro(PatternPaper, int);
+  ///@}
+
+  ///@{
+  /** Paper where PatternPaper asks for it, sRGB components 0 to 1; default white. */
+  void SetPatternPaperColor(double red, double green, double blue)
+  {
+    this->ChangeColor(this->PatternPaperColor, red, green, blue);
+  }
+  vtkGetVector3Macro(PatternPaperColor, double);
+  ///@}
+
+  ///@{
+  /** Source of the tone of all layers: AS_IN_STYLE, or vtkPatternTone's LIT (0), LIT_COLOR (1),
+   * ARRAY (2), CONSTANT (3), LIGHT (4), HIGHLIGHT (5) or LUMINANCE (6). Default AS_IN_STYLE. */
+  void SetPatternTone(int source)
+  {
+    this->Choose(this->PatternTone, source, vtkPatternTone::LUMINANCE);
+  }
   vtkGetMacro(PatternTone, int);
   ///@}
 
@@ -92,168 +175,320 @@ public:
 
   ///@{
   /** Component of the array, counted from 0; -1 is the magnitude. Default 0. */
-  void SetPatternToneComponent(int component);
+  void SetPatternToneComponent(int component)
+  {
+    this->Change(this->PatternToneComponent, std::max(component, -1));
+  }
   vtkGetMacro(PatternToneComponent, int);
   ///@}
 
   ///@{
   /** Array values that map to tone 0 and to tone 1, in the unit of the array; where they are equal,
    * that value is tone 0. Default (0, 1). */
-  void SetPatternToneRange(double paper, double ink);
+  void SetPatternToneRange(double paper, double ink)
+  {
+    this->ChangePair(this->PatternToneRange, paper, ink);
+  }
   vtkGetVector2Macro(PatternToneRange, double);
   ///@}
 
   ///@{
-  /** Factor on the size of the patterns. Range 0.01 to 100, default 1. */
-  void SetPatternScale(double scale);
-  vtkGetMacro(PatternScale, double);
+  /** Tone of the source CONSTANT. Range 0 to 1, default 0.5. */
+  void SetPatternToneConstant(double tone)
+  {
+    this->Change(this->PatternToneConstant, std::clamp(tone, 0.0, 1.0));
+  }
+  vtkGetMacro(PatternToneConstant, double);
   ///@}
 
   ///@{
-  /** Turn of the patterns in degrees, counter-clockwise. Range -360 to 360, default 0. */
-  void SetPatternAngle(double angle);
-  vtkGetMacro(PatternAngle, double);
+  /** Light of the tone source LIGHT, counted from 0 in the order of the view; ParaView's light kit
+   * is the head light, the key light, the fill light and two back lights. One that the view lacks
+   * is an error when drawn. Default 0. */
+  void SetPatternToneLight(int index) { this->Change(this->PatternToneLight, std::max(index, 0)); }
+  vtkGetMacro(PatternToneLight, int);
   ///@}
 
   ///@{
-  /** Ink of all layers and of the outline: AS_IN_STYLE, or 0 for PatternInkColor. Default
+  /** Light of the tone source HIGHLIGHT, counted as PatternToneLight; -1 is all of them. Default
+   * -1. */
+  void SetPatternHighlightLight(int index)
+  {
+    this->Change(this->PatternHighlightLight, std::max(index, -1));
+  }
+  vtkGetMacro(PatternHighlightLight, int);
+  ///@}
+
+  ///@{
+  /** Exponent of the highlights of the tone source HIGHLIGHT: larger ones are smaller. Range 0 to
+   * 1000, default 0, which is the SpecularPower of the representation. */
+  void SetPatternHighlightPower(double power)
+  {
+    this->Change(this->PatternHighlightPower, std::clamp(power, 0.0, 1000.0));
+  }
+  vtkGetMacro(PatternHighlightPower, double);
+  ///@}
+
+  ///@{
+  /** Whether the tone of all layers is inverted, so that what was paper is inked: AS_IN_STYLE, 0
+   * (no) or 1 (yes). Default AS_IN_STYLE. */
+  void SetPatternToneInvert(int choice) { this->Choose(this->PatternToneInvert, choice, 1); }
+  vtkGetMacro(PatternToneInvert, int);
+  ///@}
+
+  ///@{
+  /** Factor on the exponent of the tone of all layers: above 1 lightens middle tones, below 1
+   * darkens them. Range 0.01 to 100, default 1. */
+  void SetPatternToneGamma(double factor)
+  {
+    this->Change(this->PatternToneGamma, std::clamp(factor, 0.01, 100.0));
+  }
+  vtkGetMacro(PatternToneGamma, double);
+  ///@}
+
+  ///@{
+  /** What is made of the tone of all layers after that: AS_IN_STYLE, or vtkPatternTone's NONE (0),
+   * STEPS (1, PatternToneSteps of them) or SMOOTHSTEP (2, over PatternToneRemapRange). Default
    * AS_IN_STYLE. */
-  void SetPatternInk(int choice);
-  vtkGetMacro(PatternInk, int);
+  void SetPatternToneRemap(int choice)
+  {
+    this->Choose(this->PatternToneRemap, choice, vtkPatternTone::SMOOTHSTEP);
+  }
+  vtkGetMacro(PatternToneRemap, int);
   ///@}
 
   ///@{
-  /** Ink where PatternInk asks for it, sRGB components 0 to 1; default black. */
-  void SetPatternInkColor(double red, double green, double blue);
-  vtkGetVector3Macro(PatternInkColor, double);
+  /** Number of flat tones where PatternToneRemap is STEPS. Range 2 to 16, default 3. */
+  void SetPatternToneSteps(int steps)
+  {
+    this->Change(this->PatternToneSteps, std::clamp(steps, 2, 16));
+  }
+  vtkGetMacro(PatternToneSteps, int);
   ///@}
 
   ///@{
-  /** What the paper shows: AS_IN_STYLE, or vtkPatternStyle's CONSTANT (0, PatternPaperColor),
-   * SURFACE (1) or FLAT (2). Default AS_IN_STYLE. */
-  void SetPatternPaper(int choice);
-  vtkGetMacro(PatternPaper, int);
+  /** Tones where the step begins and ends where PatternToneRemap is SMOOTHSTEP. Default (0.25,
+   * 0.75). */
+  void SetPatternToneRemapRange(double paper, double ink)
+  {
+    this->ChangePair(this->PatternToneRemapRange, paper, ink);
+  }
+  vtkGetVector2Macro(PatternToneRemapRange, double);
   ///@}
 
   ///@{
-  /** Paper where PatternPaper asks for it, sRGB components 0 to 1; default white. */
-  void SetPatternPaperColor(double red, double green, double blue);
-  vtkGetVector3Macro(PatternPaperColor, double);
+  /** Factor on how much of a colour's darkness the layers of a print leave to black ink. Range 0 to
+   * 1, default 1. */
+  void SetPatternBlackGeneration(double factor)
+  {
+    this->Change(this->PatternBlackGeneration, std::clamp(factor, 0.0, 1.0));
+  }
+  vtkGetMacro(PatternBlackGeneration, double);
   ///@}
 
   ///@{
-  /** Whether contours are drawn: AS_IN_STYLE, 0 (no) or 1 (yes, PatternOutlineWidth wide). Default
+  /** Which difference between tone and ink is removed: AS_IN_STYLE, or vtkImagePatternLayer's
+   * FULL_CORRECTION (0), TRANSITION_ONLY (1) or NO_CORRECTION (2). Default AS_IN_STYLE. */
+  void SetPatternToneCorrection(int choice)
+  {
+    this->Choose(this->PatternToneCorrection, choice, vtkImagePatternLayer::NO_CORRECTION);
+  }
+  vtkGetMacro(PatternToneCorrection, int);
+  ///@}
+
+  ///@{
+  /** Pattern of all layers: AS_IN_STYLE, or vtkImagePatternLayer's HATCH (0), CROSS_HATCH (1),
+   * HALFTONE (2), IMAGE (3, PatternImageFile), STIPPLE (4), PAINT (5) or PAPER (6). Default
    * AS_IN_STYLE. */
-  void SetPatternOutline(int choice);
-  vtkGetMacro(PatternOutline, int);
+  void SetPatternKind(int choice)
+  {
+    this->Choose(this->PatternKind, choice, vtkImagePatternLayer::PAPER);
+  }
+  vtkGetMacro(PatternKind, int);
   ///@}
 
   ///@{
-  /** Width of the contours in logical pixels where PatternOutline is 1. Range 0 to 100, default
-   * 1.5. */
-  void SetPatternOutlineWidth(double width);
-  vtkGetMacro(PatternOutlineWidth, double);
+  /** Picture file where PatternKind is IMAGE; every process reads it. It is drawn upright and at
+   * its own size, a pixel for a logical pixel, but for PatternScale and PatternAngle. Default
+   * empty: layers then keep their patterns, as they do after the error of a file that cannot be
+   * read. */
+  void SetPatternImageFile(const char* fileName);
+  const char* GetPatternImageFile();
   ///@}
 
   ///@{
-  /** How patterns remember the pictures before: AS_IN_STYLE, or vtkPatternStyle's TRACKED (0) or
-   * ANCHORED (1). Default AS_IN_STYLE. */
-  void SetPatternTracking(int choice);
-  vtkGetMacro(PatternTracking, int);
+  /** Added to the irregularity of all layers: 1 makes any marks sketched, -1 any marks ruled. Range
+   * -1 to 1, default 0. */
+  void SetPatternIrregularity(double difference)
+  {
+    this->Change(this->PatternIrregularity, std::clamp(difference, -1.0, 1.0));
+  }
+  vtkGetMacro(PatternIrregularity, double);
   ///@}
 
   ///@{
   /** Densities of strokes of hatching in all layers: 0 as in the style, 1 for strokes that grow
    * wider with the tone, 2 to 4 for that many densities of strokes of one width. Default 0. */
-  void SetPatternDensities(int densities);
+  void SetPatternDensities(int densities)
+  {
+    this->Change(this->PatternDensities, std::clamp(densities, 0, 4));
+  }
   vtkGetMacro(PatternDensities, int);
+  ///@}
+
+  ///@{
+  /** Whether the brush of the pattern PAINT is replaced in all layers: AS_IN_STYLE, or 0 for the
+   * six numbers below. Default AS_IN_STYLE. */
+  void SetPatternBrush(int choice) { this->Choose(this->PatternBrush, choice, 0); }
+  vtkGetMacro(PatternBrush, int);
+  ///@}
+
+  ///@{
+  /** Dabs where PatternBrush is 0, see vtkImagePatternLayer. PatternDabLength: over their width, 1
+   * to 8, default 2.6. PatternDabJitter: deviation of their direction in degrees, 0 to 180, default
+   * 18. PatternDabDensity: dabs over a point, 0.5 to 8, default 3. PatternBristles: 0 (soft) to 1
+   * (stiff), default 0.6. */
+  void SetPatternDabLength(double length)
+  {
+    this->Change(this->PatternDabLength, std::clamp(length, 1.0, 8.0));
+  }
+  vtkGetMacro(PatternDabLength, double);
+  void SetPatternDabJitter(double degrees)
+  {
+    this->Change(this->PatternDabJitter, std::clamp(degrees, 0.0, 180.0));
+  }
+  vtkGetMacro(PatternDabJitter, double);
+  void SetPatternDabDensity(double density)
+  {
+    this->Change(this->PatternDabDensity, std::clamp(density, 0.5, 8.0));
+  }
+  vtkGetMacro(PatternDabDensity, double);
+  void SetPatternBristles(double stiffness)
+  {
+    this->Change(this->PatternBristles, std::clamp(stiffness, 0.0, 1.0));
+  }
+  vtkGetMacro(PatternBristles, double);
+  ///@}
+
+  ///@{
+  /** Look of the paint where PatternBrush is 0, 0 to 1 each: relief of the dabs, and their largest
+   * relative difference in brightness. Defaults 0.5 and 0.15, as in the style "painterly". */
+  void SetPatternBump(double relief)
+  {
+    this->Change(this->PatternBump, std::clamp(relief, 0.0, 1.0));
+  }
+  vtkGetMacro(PatternBump, double);
+  void SetPatternColorVariation(double variation)
+  {
+    this->Change(this->PatternColorVariation, std::clamp(variation, 0.0, 1.0));
+  }
+  vtkGetMacro(PatternColorVariation, double);
   ///@}
 
   ///@{
   /** Whether the grain of paper shows in the marks of all layers: AS_IN_STYLE, 0 (no) or 1 (yes, by
    * PatternPaperContrast). Default AS_IN_STYLE. */
-  void SetPatternPaperGrain(int choice);
+  void SetPatternPaperGrain(int choice) { this->Choose(this->PatternPaperGrain, choice, 1); }
   vtkGetMacro(PatternPaperGrain, int);
   ///@}
 
   ///@{
   /** Part of the grain in deciding where ink goes first, where PatternPaperGrain is 1: 0 (smooth)
    * to 1 (the grain alone). Default 0.5. */
-  void SetPatternPaperContrast(double contrast);
+  void SetPatternPaperContrast(double contrast)
+  {
+    this->Change(this->PatternPaperContrast, std::clamp(contrast, 0.0, 1.0));
+  }
   vtkGetMacro(PatternPaperContrast, double);
   ///@}
 
   ///@{
-  /** How the marks of half the size take over while zooming: AS_IN_STYLE, or vtkImagePatternLayer's
-   * AUTOMATIC_TRANSITION (0), CROSS_FADE (1) or BLEND_SCREENS (2). Default AS_IN_STYLE. */
-  void SetPatternTransition(int choice);
-  vtkGetMacro(PatternTransition, int);
+  /** Factor on the size of the grain. Range 0.01 to 100, default 1. */
+  void SetPatternPaperScale(double scale)
+  {
+    this->Change(this->PatternPaperScale, std::clamp(scale, 0.01, 100.0));
+  }
+  vtkGetMacro(PatternPaperScale, double);
   ///@}
 
   ///@{
-  /** Which difference between tone and ink is removed: AS_IN_STYLE, or vtkImagePatternLayer's
-   * FULL_CORRECTION (0), TRANSITION_ONLY (1) or NO_CORRECTION (2). Default AS_IN_STYLE. */
-  void SetPatternToneCorrection(int choice);
-  vtkGetMacro(PatternToneCorrection, int);
+  /** Added to the seed of all layers: other numbers place marks otherwise. Not below 0, default 0.
+   */
+  void SetPatternSeed(int seed) { this->Change(this->PatternSeed, std::max(seed, 0)); }
+  vtkGetMacro(PatternSeed, int);
   ///@}
 
   ///@{
-  /** How the patterns of all layers move: AS_IN_STYLE, or vtkImagePatternLayer's SIMILARITY (0),
-   * FIXED_IN_IMAGE (1), TEXTURE (2) or DYNAMIC_SOLID (3). Default AS_IN_STYLE. */
-  void SetPatternMotion(int choice);
-  vtkGetMacro(PatternMotion, int);
+  /** Whether contours are drawn: AS_IN_STYLE, 0 (no) or 1 (yes, with the width and of the kinds
+   * below). Default AS_IN_STYLE. */
+  void SetPatternOutline(int choice) { this->Choose(this->PatternOutline, choice, 1); }
+  vtkGetMacro(PatternOutline, int);
   ///@}
 
   ///@{
-  /** Period of the patterns on the surface where PatternMotion is TEXTURE or DYNAMIC_SOLID, in the
-   * units of the data, or of the texture coordinates if there are some. Not below 0; 0 derives it
-   * from the bounds. Default 0. */
-  void SetPatternSurfacePeriod(double period);
-  vtkGetMacro(PatternSurfacePeriod, double);
+  /** Width of the contours in logical pixels where PatternOutline is 1. Range 0 to 100, default
+   * 1.5. */
+  void SetPatternOutlineWidth(double width)
+  {
+    this->Change(this->PatternOutlineWidth, std::clamp(width, 0.0, 100.0));
+  }
+  vtkGetMacro(PatternOutlineWidth, double);
   ///@}
 
   ///@{
-  /** Whether patterns keep their direction, or their size, in the image, while they still follow
-   * the surface's place: AS_IN_STYLE, 0 (no) or 1 (yes). Default AS_IN_STYLE. */
-  void SetPatternLockRotation(int choice);
-  vtkGetMacro(PatternLockRotation, int);
-  void SetPatternLockScale(int choice);
-  vtkGetMacro(PatternLockScale, int);
+  /** Which contours there are where PatternOutline is 1, 0 (no) or 1 (yes) each: where the surface
+   * turns away, where it bends by more than PatternOutlineCreaseAngle, and at open edges. All 1 by
+   * default. */
+  void SetPatternOutlineSilhouette(int shown)
+  {
+    this->Change(this->PatternOutlineSilhouette, std::clamp(shown, 0, 1));
+  }
+  vtkGetMacro(PatternOutlineSilhouette, int);
+  void SetPatternOutlineCreases(int shown)
+  {
+    this->Change(this->PatternOutlineCreases, std::clamp(shown, 0, 1));
+  }
+  vtkGetMacro(PatternOutlineCreases, int);
+  void SetPatternOutlineBorders(int shown)
+  {
+    this->Change(this->PatternOutlineBorders, std::clamp(shown, 0, 1));
+  }
+  vtkGetMacro(PatternOutlineBorders, int);
   ///@}
 
   ///@{
-  /** Which parts of the surface count most for the motion: AS_IN_STYLE, or vtkPatternStyle's
-   * SYMMETRIC (0), CLASSIC (1), UNWEIGHTED (2) or PERCEPTUAL (3). Default AS_IN_STYLE. */
-  void SetPatternWeights(int choice);
-  vtkGetMacro(PatternWeights, int);
+  /** Angle from which a bend is a crease where PatternOutlineCreases is 1, in degrees. Range 0 to
+   * 180, default 40. */
+  void SetPatternOutlineCreaseAngle(double angle)
+  {
+    this->Change(this->PatternOutlineCreaseAngle, std::clamp(angle, 0.0, 180.0));
+  }
+  vtkGetMacro(PatternOutlineCreaseAngle, double);
   ///@}
 
   ///@{
-  /** Features that count where PatternWeights is PERCEPTUAL: vtkPatternStyle's CURVATURE (0), TONE
-   * (1) or ARRAY (2, PatternFeatureArray). Default CURVATURE. */
-  void SetPatternFeatures(int source);
-  vtkGetMacro(PatternFeatures, int);
+  /** Ink of the contours: AS_IN_STYLE, which follows a PatternInkColor, or 0 for
+   * PatternOutlineColor. Default AS_IN_STYLE. */
+  void SetPatternOutlineInk(int choice) { this->Choose(this->PatternOutlineInk, choice, 0); }
+  vtkGetMacro(PatternOutlineInk, int);
   ///@}
 
   ///@{
-  /** Array for the features ARRAY, as vtkAlgorithm names arrays; only the name counts: a point or
-   * else cell array of one component, not below 0. Default: none, which is an error with ARRAY. */
-  void SetPatternFeatureArray(
-    int index, int port, int connection, int association, const char* name);
-  const char* GetPatternFeatureArrayName();
-  ///@}
-
-  ///@{
-  /** Point array with the velocity of the surface, see vtkPatternMapper::SetVelocityArrayName();
-   * "None" for none, the default. */
-  void SetPatternVelocityArray(const char* name);
-  const char* GetPatternVelocityArray();
+  /** Contours where PatternOutlineInk asks for it, sRGB components 0 to 1; default black. */
+  void SetPatternOutlineColor(double red, double green, double blue)
+  {
+    this->ChangeColor(this->PatternOutlineColor, red, green, blue);
+  }
+  vtkGetVector3Macro(PatternOutlineColor, double);
   ///@}
 
   ///@{
   /** Where patches come from, one of PatchesType; default AS_IN_DATA. What cannot be had, as an
    * array of fractions, is an error; the surface is then drawn with the patches of its data. */
-  void SetPatternPatches(int patches);
+  void SetPatternPatches(int patches)
+  {
+    this->ChangePatches(this->PatternPatches, std::clamp<int>(patches, AS_IN_DATA, AUTOMATIC));
+  }
   vtkGetMacro(PatternPatches, int);
   ///@}
 
@@ -267,23 +502,201 @@ public:
 
   ///@{
   /** Number of patches for AUTOMATIC, at least 1. Default 16. */
-  void SetPatternNumberOfPatches(int count);
+  void SetPatternNumberOfPatches(int count)
+  {
+    this->ChangePatches(this->PatternNumberOfPatches, std::max(count, 1));
+  }
   vtkGetMacro(PatternNumberOfPatches, int);
+  ///@}
+
+  ///@{
+  /** How much the turn of the surface counts against distance for AUTOMATIC, see
+   * vtkSurfacePatches. Range 0 to 1e6, default 0.1. */
+  void SetPatternNormalWeight(double weight)
+  {
+    this->ChangePatches(this->PatternNormalWeight, std::clamp(weight, 0.0, 1e6));
+  }
+  vtkGetMacro(PatternNormalWeight, double);
   ///@}
 
   ///@{
   /** Largest angle between cells that stay together for CREASES, in degrees. Range 0 to 180,
    * default 30. */
-  void SetPatternCreaseAngle(double angle);
+  void SetPatternCreaseAngle(double angle)
+  {
+    this->ChangePatches(this->PatternCreaseAngle, std::clamp(angle, 0.0, 180.0));
+  }
   vtkGetMacro(PatternCreaseAngle, double);
   ///@}
 
   ///@{
-  /** Rings of points, on each side of a border, over which the patterns of two patches fade into
-   * each other; 0 for sharp borders. Patches as in the data have the weights of the data instead.
-   * Not below 0, default 2. */
-  void SetPatternPatchBlend(int rings);
+  /** Whether blocks whose points coincide are one surface, for patches and for their blending: 0
+   * (no) or 1 (yes). Default 1. */
+  void SetPatternJoinBlocks(int join)
+  {
+    this->ChangePatches(this->PatternJoinBlocks, std::clamp(join, 0, 1));
+  }
+  vtkGetMacro(PatternJoinBlocks, int);
+  ///@}
+
+  ///@{
+  /** How the width over which the patterns of two patches fade into each other is given:
+   * vtkPatchBlendWeights' RINGS (0, PatternPatchBlend) or DISTANCE (1, PatternPatchBlendDistance).
+   * Patches as in the data have the weights of the data instead. Default RINGS. */
+  void SetPatternPatchBlendMode(int mode)
+  {
+    this->ChangePatches(this->PatternPatchBlendMode,
+      std::clamp<int>(mode, vtkPatchBlendWeights::RINGS, vtkPatchBlendWeights::DISTANCE));
+  }
+  vtkGetMacro(PatternPatchBlendMode, int);
+  ///@}
+
+  ///@{
+  /** Rings of points, on each side of a border, over which patterns fade with RINGS; 0 for sharp
+   * borders. Not below 0, default 2. */
+  void SetPatternPatchBlend(int rings)
+  {
+    this->ChangePatches(this->PatternPatchBlend, std::max(rings, 0));
+  }
   vtkGetMacro(PatternPatchBlend, int);
+  ///@}
+
+  ///@{
+  /** Distance along the surface, on each side of a border, over which patterns fade with DISTANCE,
+   * in the units of the data; 0 for sharp borders. Not below 0, default 1. */
+  void SetPatternPatchBlendDistance(double distance)
+  {
+    this->ChangePatches(this->PatternPatchBlendDistance, std::max(distance, 0.0));
+  }
+  vtkGetMacro(PatternPatchBlendDistance, double);
+  ///@}
+
+  ///@{
+  /** Weights on a border before they are smoothed with RINGS: vtkPatchBlendWeights' EQUAL (0) or
+   * FACES (1). Default EQUAL. */
+  void SetPatternBorderWeights(int weights)
+  {
+    this->ChangePatches(this->PatternBorderWeights,
+      std::clamp<int>(weights, vtkPatchBlendWeights::EQUAL, vtkPatchBlendWeights::FACES));
+  }
+  vtkGetMacro(PatternBorderWeights, int);
+  ///@}
+
+  ///@{
+  /** How the patterns of all layers move: AS_IN_STYLE, or vtkImagePatternLayer's SIMILARITY (0),
+   * FIXED_IN_IMAGE (1), TEXTURE (2) or DYNAMIC_SOLID (3). Default AS_IN_STYLE. */
+  void SetPatternMotion(int choice)
+  {
+    this->Choose(this->PatternMotion, choice, vtkImagePatternLayer::DYNAMIC_SOLID);
+  }
+  vtkGetMacro(PatternMotion, int);
+  ///@}
+
+  ///@{
+  /** Period of the patterns on the surface where PatternMotion is TEXTURE or DYNAMIC_SOLID, in the
+   * units of the data, or of the texture coordinates if there are some. Not below 0; 0 derives it
+   * from the bounds. Default 0. */
+  void SetPatternSurfacePeriod(double period)
+  {
+    this->Change(this->PatternSurfacePeriod, std::max(period, 0.0));
+  }
+  vtkGetMacro(PatternSurfacePeriod, double);
+  ///@}
+
+  ///@{
+  /** How patterns remember the pictures before: AS_IN_STYLE, or vtkPatternStyle's TRACKED (0) or
+   * ANCHORED (1). Default AS_IN_STYLE. */
+  void SetPatternTracking(int choice)
+  {
+    this->Choose(this->PatternTracking, choice, vtkPatternStyle::ANCHORED);
+  }
+  vtkGetMacro(PatternTracking, int);
+  ///@}
+
+  ///@{
+  /** Whether patterns keep their direction, or their size, in the image, while they still follow
+   * the surface's place: AS_IN_STYLE, 0 (no) or 1 (yes). Default AS_IN_STYLE. */
+  void SetPatternLockRotation(int choice) { this->Choose(this->PatternLockRotation, choice, 1); }
+  vtkGetMacro(PatternLockRotation, int);
+  void SetPatternLockScale(int choice) { this->Choose(this->PatternLockScale, choice, 1); }
+  vtkGetMacro(PatternLockScale, int);
+  ///@}
+
+  ///@{
+  /** How the marks of half the size take over while zooming: AS_IN_STYLE, or vtkImagePatternLayer's
+   * AUTOMATIC_TRANSITION (0), CROSS_FADE (1) or BLEND_SCREENS (2). Default AS_IN_STYLE. */
+  void SetPatternTransition(int choice)
+  {
+    this->Choose(this->PatternTransition, choice, vtkImagePatternLayer::BLEND_SCREENS);
+  }
+  vtkGetMacro(PatternTransition, int);
+  ///@}
+
+  ///@{
+  /** At which scales they do so in all layers: AS_IN_STYLE, or 0 for PatternTransitionRange.
+   * Default AS_IN_STYLE. */
+  void SetPatternTransitionScales(int choice)
+  {
+    this->Choose(this->PatternTransitionScales, choice, 0);
+  }
+  vtkGetMacro(PatternTransitionScales, int);
+  ///@}
+
+  ///@{
+  /** Scales of the marks at which those of half the size begin to show and have taken over where
+   * PatternTransitionScales is 0. Range 1 to 2, default (1.3, 1.7). */
+  void SetPatternTransitionRange(double start, double end)
+  {
+    this->ChangePair(
+      this->PatternTransitionRange, std::clamp(start, 1.0, 2.0), std::clamp(end, 1.0, 2.0));
+  }
+  vtkGetVector2Macro(PatternTransitionRange, double);
+  ///@}
+
+  ///@{
+  /** Which parts of the surface count most for the motion: AS_IN_STYLE, or vtkPatternStyle's
+   * SYMMETRIC (0), CLASSIC (1), UNWEIGHTED (2) or PERCEPTUAL (3). Default AS_IN_STYLE. */
+  void SetPatternWeights(int choice)
+  {
+    this->Choose(this->PatternWeights, choice, vtkPatternStyle::PERCEPTUAL);
+  }
+  vtkGetMacro(PatternWeights, int);
+  ///@}
+
+  ///@{
+  /** Features that count where PatternWeights is PERCEPTUAL: vtkPatternStyle's CURVATURE (0), TONE
+   * (1) or ARRAY (2, PatternFeatureArray). Default CURVATURE. */
+  void SetPatternFeatures(int source)
+  {
+    this->Change(this->PatternFeatures,
+      std::clamp<int>(source, vtkPatternStyle::CURVATURE, vtkPatternStyle::ARRAY));
+  }
+  vtkGetMacro(PatternFeatures, int);
+  ///@}
+
+  ///@{
+  /** Array for the features ARRAY, as vtkAlgorithm names arrays; only the name counts: a point or
+   * else cell array of one component, not below 0. Default: none, which is an error with ARRAY. */
+  void SetPatternFeatureArray(
+    int index, int port, int connection, int association, const char* name);
+  const char* GetPatternFeatureArrayName();
+  ///@}
+
+  ///@{
+  /** Samples of every patch that the motion is fitted to: 0 as in the style, else 2 to 100000.
+   * Default 0. */
+  void SetPatternSamplesPerPatch(int samples)
+  {
+    this->Change(this->PatternSamplesPerPatch, std::clamp(samples, 0, 100000));
+  }
+  vtkGetMacro(PatternSamplesPerPatch, int);
+  ///@}
+
+  ///@{
+  /** Point array with the velocity of the surface, see vtkPatternMapper::SetVelocityArrayName();
+   * "None" for none, the default. */
+  void SetPatternVelocityArray(const char* name);
+  const char* GetPatternVelocityArray();
   ///@}
 
 protected:
@@ -296,55 +709,137 @@ private:
   vtkPatternRepresentation(const vtkPatternRepresentation&) = delete;
   void operator=(const vtkPatternRepresentation&) = delete;
 
+  // What setters of the style have in common.
   template <class T>
-  void Change(T& member, const T& value);
+  void Change(T& member, const T& value)
+  {
+    if (member != value)
+    {
+      member = value;
+      this->StyleChanged = true;
+    }
+  }
+  void Choose(int& member, int choice, int last)
+  {
+    this->Change(member, std::clamp<int>(choice, AS_IN_STYLE, last));
+  }
+  void ChangePair(double member[2], double first, double second)
+  {
+    this->Change(member[0], first);
+    this->Change(member[1], second);
+  }
+  void ChangeColor(double member[3], double red, double green, double blue)
+  {
+    this->Change(member[0], std::clamp(red, 0.0, 1.0));
+    this->Change(member[1], std::clamp(green, 0.0, 1.0));
+    this->Change(member[2], std::clamp(blue, 0.0, 1.0));
+  }
   template <class T>
-  void ChangePatches(T& member, const T& value);
+  void ChangePatches(T& member, const T& value)
+  {
+    if (member != value)
+    {
+      member = value;
+      this->UpdatePatches();
+      this->MarkModified();
+    }
+  }
+
   void UpdatePatches();
   void UpdateStyle();
   bool LoadStyle(vtkPatternStyle* style);
   void AdjustStyle(vtkPatternStyle* style);
+  void AdjustOutline(vtkPatternStyle* style);
   void AdjustMotion(vtkPatternStyle* style);
-  void AdjustLayer(vtkPatternLayer* layer);
-  void AdjustImageLayer(vtkImagePatternLayer* layer);
-  void AdjustTone(vtkPatternLayer* layer);
+  void AdjustInk(vtkPatternLayer* layer);
+  void AdjustTone(vtkPatternTone* tone);
+  void AdjustSource(vtkPatternTone* tone);
+  void AdjustMarks(vtkImagePatternLayer* layer, vtkImageData* picture);
+  void AdjustKind(vtkImagePatternLayer* layer, vtkImageData* picture);
+  void AdjustBrush(vtkImagePatternLayer* layer);
+  void AdjustPaperGrain(vtkImagePatternLayer* layer);
+  void AdjustMarksMotion(vtkImagePatternLayer* layer);
+  vtkSmartPointer<vtkImageData> ReadPicture();
 
   bool StyleChanged = true;
   std::string PatternStyle;
   std::string PatternStyleFile;
+  double PatternScale = 1.0;
+  double PatternAngle = 0.0;
+  int PatternInk = AS_IN_STYLE;
+  double PatternInkColor[3] = { 0.0, 0.0, 0.0 };
+  double PatternInkOpacity = 1.0;
+  int PatternBlendMode = AS_IN_STYLE;
+  int PatternPaper = AS_IN_STYLE;
+  double PatternPaperColor[3] = { 1.0, 1.0, 1.0 };
+
   int PatternTone = AS_IN_STYLE;
   std::string PatternToneArrayName;
   int PatternToneAssociation = 0;
   int PatternToneComponent = 0;
   double PatternToneRange[2] = { 0.0, 1.0 };
-  double PatternScale = 1.0;
-  double PatternAngle = 0.0;
-  int PatternInk = AS_IN_STYLE;
-  double PatternInkColor[3] = { 0.0, 0.0, 0.0 };
-  int PatternPaper = AS_IN_STYLE;
-  double PatternPaperColor[3] = { 1.0, 1.0, 1.0 };
-  int PatternOutline = AS_IN_STYLE;
-  double PatternOutlineWidth = 1.5;
-  int PatternTracking = AS_IN_STYLE;
+  double PatternToneConstant = 0.5;
+  int PatternToneLight = 0;
+  int PatternHighlightLight = -1;
+  double PatternHighlightPower = 0.0;
+  int PatternToneInvert = AS_IN_STYLE;
+  double PatternToneGamma = 1.0;
+  int PatternToneRemap = AS_IN_STYLE;
+  int PatternToneSteps = 3;
+  double PatternToneRemapRange[2] = { 0.25, 0.75 };
+  double PatternBlackGeneration = 1.0;
+  int PatternToneCorrection = AS_IN_STYLE;
+
+  int PatternKind = AS_IN_STYLE;
+  std::string PatternImageFile;
+  double PatternIrregularity = 0.0;
   int PatternDensities = 0;
+  int PatternBrush = AS_IN_STYLE;
+  double PatternDabLength = 2.6;
+  double PatternDabJitter = 18.0;
+  double PatternDabDensity = 3.0;
+  double PatternBristles = 0.6;
+  double PatternBump = 0.5;
+  double PatternColorVariation = 0.15;
   int PatternPaperGrain = AS_IN_STYLE;
   double PatternPaperContrast = 0.5;
-  int PatternTransition = AS_IN_STYLE;
-  int PatternToneCorrection = AS_IN_STYLE;
-  int PatternMotion = AS_IN_STYLE;
-  double PatternSurfacePeriod = 0.0;
-  int PatternLockRotation = AS_IN_STYLE;
-  int PatternLockScale = AS_IN_STYLE;
-  int PatternWeights = AS_IN_STYLE;
-  int PatternFeatures = 0;
-  std::string PatternFeatureArrayName;
-  std::string PatternVelocityArray = "None";
+  double PatternPaperScale = 1.0;
+  int PatternSeed = 0;
+
+  int PatternOutline = AS_IN_STYLE;
+  double PatternOutlineWidth = 1.5;
+  int PatternOutlineSilhouette = 1;
+  int PatternOutlineCreases = 1;
+  int PatternOutlineBorders = 1;
+  double PatternOutlineCreaseAngle = 40.0;
+  int PatternOutlineInk = AS_IN_STYLE;
+  double PatternOutlineColor[3] = { 0.0, 0.0, 0.0 };
+
   vtkSmartPointer<vtkRepresentationPatches> Patches;
   int PatternPatches = AS_IN_DATA;
   std::string PatternPatchArrayName;
   int PatternNumberOfPatches = 16;
+  double PatternNormalWeight = 0.1;
   double PatternCreaseAngle = 30.0;
+  int PatternJoinBlocks = 1;
+  int PatternPatchBlendMode = vtkPatchBlendWeights::RINGS;
   int PatternPatchBlend = 2;
+  double PatternPatchBlendDistance = 1.0;
+  int PatternBorderWeights = vtkPatchBlendWeights::EQUAL;
+
+  int PatternMotion = AS_IN_STYLE;
+  double PatternSurfacePeriod = 0.0;
+  int PatternTracking = AS_IN_STYLE;
+  int PatternLockRotation = AS_IN_STYLE;
+  int PatternLockScale = AS_IN_STYLE;
+  int PatternTransition = AS_IN_STYLE;
+  int PatternTransitionScales = AS_IN_STYLE;
+  double PatternTransitionRange[2] = { 1.3, 1.7 };
+  int PatternWeights = AS_IN_STYLE;
+  int PatternFeatures = vtkPatternStyle::CURVATURE;
+  std::string PatternFeatureArrayName;
+  int PatternSamplesPerPatch = 0;
+  std::string PatternVelocityArray = "None";
 };
 
 #endif

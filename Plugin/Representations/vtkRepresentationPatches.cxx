@@ -89,20 +89,28 @@ int vtkRepresentationPatches::RequestData(
   patches->SetMethod(this->Method);
   patches->SetArrayName(this->ArrayName);
   patches->SetNumberOfPatches(this->NumberOfPatches);
+  patches->SetNormalWeight(this->NormalWeight);
   patches->SetCreaseAngle(this->CreaseAngle);
+  patches->SetJoinBlocks(this->JoinBlocks);
   patches->SetInputDataObject(input);
   vtkNew<vtkPatchBlendWeights> weights;
+  weights->SetWidthMode(this->WidthMode);
   weights->SetRings(this->Rings);
+  weights->SetDistance(this->Distance);
+  weights->SetInitial(this->Initial);
+  weights->SetJoinBlocks(this->JoinBlocks);
   weights->SetInputConnection(patches->GetOutputPort());
   vtkAlgorithm* last = patches;
-  if (this->Rings > 0)
+  const bool blend =
+    this->WidthMode == vtkPatchBlendWeights::RINGS ? this->Rings > 0 : this->Distance > 0.0;
+  if (blend)
   {
     last = weights;
   }
   if (Run(last))
   {
     output->ShallowCopy(last->GetOutputDataObject(0));
-    if (this->Rings == 0)
+    if (!blend)
     {
       RemoveBlending(output);
     }

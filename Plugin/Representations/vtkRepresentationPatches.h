@@ -25,11 +25,18 @@ public:
   vtkSetMacro(Method, int);
   vtkSetMacro(ArrayName, std::string);
   vtkSetMacro(NumberOfPatches, int);
+  vtkSetMacro(NormalWeight, double);
   vtkSetMacro(CreaseAngle, double);
+  vtkSetMacro(JoinBlocks, bool);
   ///@}
 
-  /// As in vtkPatchBlendWeights; 0 for sharp borders.
+  ///@{
+  /// As in vtkPatchBlendWeights; 0 rings, or a distance of 0, for sharp borders.
+  vtkSetMacro(WidthMode, int);
   vtkSetMacro(Rings, int);
+  vtkSetMacro(Distance, double);
+  vtkSetMacro(Initial, int);
+  ///@}
 
 protected:
   vtkRepresentationPatches() = default;
@@ -46,8 +53,13 @@ private:
   int Method = 0;
   std::string ArrayName;
   int NumberOfPatches = 1;
+  double NormalWeight = 0.0;
   double CreaseAngle = 0.0;
+  bool JoinBlocks = true;
+  int WidthMode = 0;
   int Rings = 0;
+  double Distance = 0.0;
+  int Initial = 0;
 };
 
 #endif

@@ -66,6 +66,12 @@ for proxy in (
     for item in properties:
         assert extended.GetProperty(item.get("name")), proxy + " lacks " + item.get("name")
 
+# The table of the README names every property.
+with open(os.path.join(folder, "../../README.md"), encoding="utf-8") as readme:
+    rows = [line.split("|")[1] for line in readme if line.startswith("| `Pattern")]
+listed = [name.strip("` ") for row in rows for name in row.split(",")]
+assert sorted(listed) == sorted(item.get("name") for item in properties), listed
+
 # The list of styles is that of the class, which names them all when there is an error.
 domain = extended.GetProperty("PatternStyle").GetDomain("styles")
 offered = [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]

@@ -72,6 +72,13 @@ for locked, parted in ("Off", 1.2), ("On", 1):
     ratio = strokes_per_column(first) / strokes_per_column(last)
     assert abs(ratio - parted) < 0.06, (locked, ratio)
 
+# Strokes of half the size come in where they are told to: here before the camera is near enough otherwise.
+doubled = {"PatternTransitionScales": "Custom", "PatternTransitionRange": [1, 1.1]}
+for options, parted in ({"PatternTransitionRange": [1, 1.1]}, 1.2), (doubled, 0.6):
+    first, _, last = draw(zoom, **options)
+    ratio = strokes_per_column(first) / strokes_per_column(last)
+    assert abs(ratio - parted) < 0.06, (options, ratio)
+
 # Weights: those of the style are symmetric; features of one half of the surface pull the pattern there.
 nearer = [(0, 0.4, 3, 0), (0, 0.2, 2.5, 0), (0, 0, 2, 0)]
 ball = simple.Calculator(
@@ -85,6 +92,8 @@ usual = draw(nearer, ball, **weights)[-1]
 assert (usual == draw(nearer, ball, PatternWeights="Symmetric", **weights)[-1]).all()
 for other in "Classic", "None", "Perceptual":
     assert (usual != draw(nearer, ball, PatternWeights=other, **weights)[-1]).any(), other
+assert (usual == draw(nearer, ball, PatternSamplesPerPatch=500, **weights)[-1]).all()
+assert (usual != draw(nearer, ball, PatternSamplesPerPatch=20, **weights)[-1]).any()
 pulled = draw(nearer, ball, PatternFeatureArray=["POINTS", "upper"], **features)[-1]
 assert scene.difference(usual, pulled) > 0.5
 with scene.Messages() as messages:

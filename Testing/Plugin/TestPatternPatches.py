@@ -4,7 +4,8 @@
 
 import numpy
 import pattern_scene as scene
-from paraview import simple
+from paraview import servermanager, simple
+from paraview.vtk.util.numpy_support import vtk_to_numpy
 
 POSITION = (0.8, 0.7, 4.0)
 # Two pieces, told apart by the sign of x; a block each when they are grouped.
@@ -58,6 +59,47 @@ weighed = scene.HachurePatchBlendWeights(Input=filtered, Rings=2)
 assert scene.difference(sharp, blended) > 0.5, "blending changes nothing"
 assert same(blended, draw(weighed)), "weights of the data are not used"
 assert same(sharp, draw(weighed, PatternPatchBlend=0, **automatic)), "weights of other patches"
+
+distance = {"PatternPatchBlendMode": "Distance", "PatternPatchBlendDistance": 0.1}
+far = draw(name="patches-far", **distance, **automatic)
+weighed = scene.HachurePatchBlendWeights(Input=filtered, WidthMode="Distance", Distance=0.1)
+assert scene.difference(blended, far) > 0.2, "a distance changes nothing"
+assert same(far, draw(weighed)), "weights by distance"
+distance["PatternPatchBlendDistance"] = 0
+assert same(sharp, draw(**distance, **automatic)), "no distance is no sharp border"
+cells = draw(PatternPatchBlend=1, PatternBorderWeights="By cells", **automatic)
+assert not same(cells, draw(PatternPatchBlend=1, **automatic)), "weights on borders change nothing"
+assert same(cells, draw(scene.HachurePatchBlendWeights(Input=filtered, Rings=1, Initial="Faces")))
+turned = scene.HachureSurfacePatches(Input=sides, NumberOfPatches=6, NormalWeight=2)
+assert same(draw(turned), draw(PatternPatchBlend=0, PatternNormalWeight=2, **automatic))
+assert not same(draw(turned), sharp), "the weight of normals changes nothing"
+
+# Two blocks that touch hang together, unless they are not to be joined.
+half = simple.Clip(Input=spheres[0], ClipType="Plane", Invert=1)
+half.ClipType.Origin, half.ClipType.Normal = [-0.6, 0, 0], [1, 0, 0]
+other = simple.Clip(Input=spheres[0], ClipType="Plane", Invert=0)
+other.ClipType.Origin, other.ClipType.Normal = [-0.6, 0, 0], [1, 0, 0]
+halves = simple.GroupDatasets(Input=[simple.ExtractSurface(Input=clip) for clip in (half, other)])
+regions = {"PatternPatches": "Connected regions", "PatternPatchBlend": 0}
+joined = draw(halves, **regions)
+assert scene.difference(joined, draw(halves, PatternPatches="None")) < 0.01  # rounding differs with blocks
+apart = draw(halves, PatternJoinBlocks=0, **regions)
+assert scene.difference(apart, draw(halves, PatternPatches="Blocks", PatternPatchBlend=0)) < 0.01
+assert scene.difference(joined, apart) > 0.5
+
+# The cells that are selected in the view, of the ball on the right, are a patch, through the filter.
+where = scene.view((240, 160))
+scene.show(sides, where, Representation="Surface")
+scene.look(where, POSITION, angle=24)
+simple.Render(where)
+simple.SelectSurfaceCells(Rectangle=[120, 0, 240, 160], View=where)
+picked = scene.HachureSurfacePatches(Input=sides, Method="Selection")
+picked.Selection = servermanager._getPyProxy(sides.SMProxy.GetSelectionInput(0))
+simple.ClearSelection(sides)
+simple.Delete(where)
+left, right = numpy.split(vtk_to_numpy(servermanager.Fetch(picked).GetCellData().GetArray("PatchId")), 2)
+assert not left.any() and 0.3 < right.mean() < 0.6, (left.mean(), right.mean())
+assert scene.difference(one, draw(picked)) > 0.5, "a selection changes nothing"
 
 # Each face of a box has a pattern of its own.
 box = simple.Box()

@@ -11,6 +11,8 @@ options = (
     {"PatternStyle": "hatch", "PatternPatches": "Automatic", "PatternNumberOfPatches": 5, "PatternPatchBlend": 3},
     {"PatternStyle": "halftone", "PatternScale": 1.5, "PatternPaperGrain": "On", "PatternPaperContrast": 0.7},
 )
+options[0].update(PatternToneRemap="Smooth step", PatternToneRemapRange=[0.1, 0.6])
+options[1].update(PatternInkOpacity=0.6, PatternOutlineInk="Color", PatternOutlineColor=[0.7, 0, 0])
 sphere = simple.Sphere(ThetaResolution=30, PhiResolution=30)
 
 

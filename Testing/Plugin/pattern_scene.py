@@ -77,6 +77,11 @@ def array(image):
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[:, :, :3].copy()
 
 
+def linear(shown):
+    """Light of a picture, from 0 to 1, in which inks mix."""
+    return (shown / 255.0) ** 2.2
+
+
 def difference(first, second):
     """Mean absolute difference of two pictures in levels."""
     return numpy.abs(first.astype(int) - second.astype(int)).mean()

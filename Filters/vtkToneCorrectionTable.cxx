@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkToneCorrectionTable.h"
 
+#include "Core/Kernels.h"
 #include "Core/ToneTable.h"
 #include "PatternTileImage.h"
 
@@ -98,6 +99,8 @@ int vtkToneCorrectionTable::RequestData(
     }
     hachure::ToneTableOptions options;
     options.texelsPerPixelAtScale1 = tile.width / (tile.periods * this->PeriodInPixels);
+    options.fixedLevel =
+      hachure::glsl::fixedTileLevel(static_cast<float>(options.texelsPerPixelAtScale1));
     options.lodStart = this->LodStart;
     options.lodEnd = this->LodEnd;
     options.transition = static_cast<hachure::LodTransition>(this->Transition);

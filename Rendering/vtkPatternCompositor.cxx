@@ -117,6 +117,16 @@ std::string ToneExpression(vtkPatternTone* tone, int channel)
   return channel < 0 ? "hachureCurve@.z" : "tones[" + std::to_string(channel) + "]";
 }
 
+// The tone with its curve, where it has one: software OpenGL takes long to raise to powers.
+std::string CurvedTone(vtkPatternTone* tone, int channel)
+{
+  const std::string plain = ToneExpression(tone, channel);
+  const bool straight =
+    tone->GetGamma() == 1.0 && !tone->GetInvert() && tone->GetRemap() == vtkPatternTone::NONE;
+  return straight ? plain
+                  : "toneCurve(" + plain + ", hachureCurve@.x, hachureCurve@.y, hachureRemap@)";
+}
+
 glm::vec3 Remap(vtkPatternTone* tone)
 {
   switch (tone->GetRemap())
@@ -176,7 +186,7 @@ void vtkPatternCompositor::Update(vtkPatternStyle* style, const vtkPatternToneCh
     }
   }
   this->Painters = std::move(kept);
-  this->UpdateText();
+  this->UpdateText(style->GetPaperSource() == vtkPatternStyle::CONSTANT);
   this->UpdateTables(window);
 }
 
@@ -204,7 +214,7 @@ vtkPatternAttributes vtkPatternCompositor::GetAttributes() const
   return needed;
 }
 
-void vtkPatternCompositor::UpdateText()
+void vtkPatternCompositor::UpdateText(bool plainPaper)
 {
   std::string declarations;
   std::string calls;
@@ -212,9 +222,9 @@ void vtkPatternCompositor::UpdateText()
   {
     const Drawn& layer = this->Layers[i];
     const std::string number = std::to_string(i);
-    const std::string tone = ToneExpression(layer.Layer->GetTone(), layer.Channel);
     std::string declaration = layer.Painter->GetDeclarations(this->PatchCount > 1) + PatternLayer;
-    vtkShaderProgram::Substitute(declaration, "TONE", tone);
+    vtkShaderProgram::Substitute(
+      declaration, "CURVE", CurvedTone(layer.Layer->GetTone(), layer.Channel));
     vtkShaderProgram::Substitute(declaration, "BLEND", BlendFunction(layer.Layer->GetBlendMode()));
     const bool surface = layer.Layer->GetColorSource() == vtkPatternLayer::SURFACE;
     const std::string color = layer.Painter->GetInkColor();
@@ -231,6 +241,7 @@ void vtkPatternCompositor::UpdateText()
   const vtkPatternAttributes needed = this->GetAttributes();
   vtkShaderProgram::Substitute(text, "//Hachure::Patches::Dec",
     needed.Patches ? std::string(PatternPatches) + PatternPatchRecords : std::string());
+  vtkShaderProgram::Substitute(text, "PAPER", plainPaper ? "hachurePaper" : "hachureSurfaceHere");
   vtkShaderProgram::Substitute(text, "//Hachure::Layers::Dec", declarations);
   vtkShaderProgram::Substitute(text, "  //Hachure::Layers::Impl", calls);
   this->ShaderText = text;
@@ -286,9 +297,10 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
     static_cast<float>(viewport.FragmentToLogical.w) };
   program->SetUniform4f("hachurePixelMap", map);
   const glm::vec3 paperColor = Linear(style->GetPaperColor());
-  const float paper[4] = { paperColor.x, paperColor.y, paperColor.z,
-    style->GetPaperSource() == vtkPatternStyle::CONSTANT ? 0.0f : 1.0f };
-  program->SetUniform4f("hachurePaper", paper);
+  if (program->IsUniformUsed("hachurePaper"))
+  {
+    program->SetUniform3f("hachurePaper", &paperColor.x);
+  }
   const glm::vec3 nan = Linear(nanColor);
   program->SetUniform3f("hachureNanColor", &nan.x);
   program->SetUniformi("hachureToneTables", this->Tables->GetTextureUnit());
@@ -296,7 +308,10 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
   {
     program->SetUniformi("hachureResponses", this->Responses->GetTextureUnit());
   }
-  program->SetUniformf("hachureTableRows", static_cast<float>(this->TableRows));
+  if (program->IsUniformUsed("hachureTableRows"))
+  {
+    program->SetUniformf("hachureTableRows", static_cast<float>(this->TableRows));
+  }
 
   this->SetSurfaceUniforms(program, viewport);
   std::size_t row = 0;
@@ -311,10 +326,16 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
     vtkPatternTone* tone = drawn.Layer->GetTone();
     const float curve[4] = { static_cast<float>(tone->GetGamma()), tone->GetInvert() ? 1.0f : 0.0f,
       static_cast<float>(tone->GetConstant()), static_cast<float>(tone->GetBlackGeneration()) };
-    program->SetUniform4f(("hachureCurve" + number).c_str(), curve);
+    if (program->IsUniformUsed(("hachureCurve" + number).c_str()))
+    {
+      program->SetUniform4f(("hachureCurve" + number).c_str(), curve);
+    }
     const glm::vec3 remap = Remap(tone);
-    program->SetUniform3f(("hachureRemap" + number).c_str(), &remap.x);
-    drawn.Painter->SetUniforms(program, number, frame, static_cast<double>(row));
+    if (program->IsUniformUsed(("hachureRemap" + number).c_str()))
+    {
+      program->SetUniform3f(("hachureRemap" + number).c_str(), &remap.x);
+    }
+    drawn.Painter->SetUniforms(program, number, frame, { row, this->TableRows });
     row += drawn.Painter->GetTableRows().size() / tableTones;
   }
   if (this->GetAttributes().Patches)
@@ -333,16 +354,19 @@ void vtkPatternCompositor::SetPatchUniforms(
     const glm::vec3 about(origin);
     program->SetUniform3f("hachurePatchOrigin", &about.x);
   }
-  if (program->IsUniformUsed("hachureClipToPatches"))
+  if (program->IsUniformUsed("hachureFragmentToPatches"))
   {
-    const glm::mat4 toPatches(glm::inverse(glm::translate(this->CurrentScene.ModelToClip, origin)));
+    const std::array<int, 4>& area = viewport.Drawn;
+    const glm::dvec3 size(area[2], area[3], 1.0);
+    glm::dmat4 toClip = glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0));
+    toClip = glm::scale(toClip, 2.0 / size);
+    toClip = glm::translate(toClip, glm::dvec3(-area[0], -area[1], 0.0));
+    const glm::dmat4 toPatches =
+      glm::inverse(glm::translate(this->CurrentScene.ModelToClip, origin));
+    const glm::mat4 matrix(toPatches * toClip);
     float values[16];
-    std::copy(&toPatches[0][0], &toPatches[0][0] + 16, values);
-    program->SetUniformMatrix4x4("hachureClipToPatches", values);
-    const float area[4] = { static_cast<float>(viewport.Drawn[0]),
-      static_cast<float>(viewport.Drawn[1]), static_cast<float>(viewport.Drawn[2]),
-      static_cast<float>(viewport.Drawn[3]) };
-    program->SetUniform4f("hachureDrawnArea", area);
+    std::copy(&matrix[0][0], &matrix[0][0] + 16, values);
+    program->SetUniformMatrix4x4("hachureFragmentToPatches", values);
   }
 }
 
@@ -357,7 +381,7 @@ void vtkPatternCompositor::UploadPlacements(const std::vector<hachure::PatternFr
     for (const Drawn& drawn : this->Layers)
     {
       const auto placement = drawn.Painter->GetPlacement(
-        index < frames.size() ? frames[index] : still, static_cast<double>(row));
+        index < frames.size() ? frames[index] : still, { row, this->TableRows });
       texels.insert(texels.end(), placement.begin(), placement.end());
       row += drawn.Painter->GetTableRows().size() / tableTones;
     }

@@ -63,7 +63,7 @@ private:
     vtkPatternLayerPainter* Painter = nullptr;
     int Channel = -1;
   };
-  void UpdateText();
+  void UpdateText(bool plainPaper);
   void SetSurfaceUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
   void SetPatchUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
   void UpdateTables(vtkOpenGLRenderWindow* window);

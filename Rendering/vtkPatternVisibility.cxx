@@ -32,13 +32,13 @@ void SetMatrix(vtkShaderProgram* program, const char* name, const glm::dmat4& ma
 }
 
 void Target(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
-  vtkTextureObject* texture, const std::array<int, 2>& size, int type)
+  vtkTextureObject* texture, const std::array<int, 2>& size, int components, int type)
 {
   texture->SetContext(window);
   texture->SetMinificationFilter(vtkTextureObject::Nearest);
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   texture->Allocate2D(
-    static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]), 4, type);
+    static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]), components, type);
   framebuffer->SetContext(window);
   framebuffer->Bind();
   framebuffer->AddColorAttachment(0, texture);
@@ -63,8 +63,8 @@ bool vtkPatternVisibility::Prepare(vtkOpenGLRenderWindow* window, const vtkPatte
   {
     this->ReleaseGraphicsResources(window);
     this->Size = size;
-    Target(window, this->OwnFramebuffer, this->Own, size, VTK_FLOAT);
-    Target(window, this->SceneFramebuffer, this->Scene, size, VTK_UNSIGNED_CHAR);
+    Target(window, this->OwnFramebuffer, this->Own, size, 2, VTK_FLOAT);
+    Target(window, this->SceneFramebuffer, this->Scene, size, 1, VTK_UNSIGNED_CHAR);
   }
   if (!this->Positions->GetHandle() || this->PositionVersion != samples.GetPositionVersion() ||
     this->Source != &samples)
@@ -169,17 +169,14 @@ std::vector<std::uint8_t> vtkPatternVisibility::Read(vtkOpenGLRenderWindow* wind
     return {};
   }
   this->SceneMeasured = false;
-  std::vector<std::uint8_t> texels(4 * static_cast<std::size_t>(this->Size[0] * this->Size[1]));
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(this->Size[0] * this->Size[1]));
   window->GetState()->PushFramebufferBindings();
   this->SceneFramebuffer->Bind(GL_READ_FRAMEBUFFER);
   this->SceneFramebuffer->ActivateReadBuffer(0);
-  glReadPixels(0, 0, this->Size[0], this->Size[1], GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  // Rows are full, but for a single one: none is padded.
+  glReadPixels(0, 0, this->Size[0], this->Size[1], GL_RED, GL_UNSIGNED_BYTE, bytes.data());
   window->GetState()->PopFramebufferBindings();
-  std::vector<std::uint8_t> bytes(this->Count);
-  for (std::size_t i = 0; i < this->Count; ++i)
-  {
-    bytes[i] = texels[4 * i];
-  }
+  bytes.resize(this->Count);
   return bytes;
 }
 

@@ -37,7 +37,6 @@ PatternPlacement placePattern(const PatternFrame& frame, const PlacementOptions&
 {
   requirePositive("tileSize.x", options.tileSize.x);
   requirePositive("tileSize.y", options.tileSize.y);
-  requirePositive("pixelsPerPeriod", options.pixelsPerPeriod);
   const ToneTableOptions& table = options.table;
   const bool follows = table.transition != LodTransition::none;
   const PatternFrame placed = follows ? frame : PatternFrame();
@@ -53,15 +52,12 @@ PatternPlacement placePattern(const PatternFrame& frame, const PlacementOptions&
     tileCoordinate({ -direction.y, direction.x }, scale * options.tileSize.y, placed.origin);
   placement.texelsPerPixel = static_cast<float>(table.texelsPerPixelAtScale1) / scale;
   placement.blend = follows ? glsl::lodBlend(scale, start, end) : 0.0f;
-  const auto period = static_cast<float>(options.pixelsPerPeriod);
   if (table.transition == LodTransition::blendScreens)
   {
-    placement.flat = glm::vec2(glsl::flatShare(scale, placement.blend, period));
     placement.row = glm::vec2(glsl::tableRow(scale, start, end));
   }
   else
   {
-    placement.flat = { glsl::flatShare(scale, 0.0f, period), glsl::flatShare(scale, 1.0f, period) };
     placement.row = { glsl::octaveRow(scale), glsl::octaveRow(0.5f * scale) };
   }
   placement.row *= static_cast<float>(tableRows(table.transition));

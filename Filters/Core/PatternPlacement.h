@@ -20,8 +20,6 @@ struct PlacementOptions
   glm::dvec2 tileSize{ 64.0, 64.0 };
   // Of the pattern in the frame, radians counter-clockwise.
   double angle = 0.0;
-  // Pixels of the framebuffer per period of the pattern at LOD scale 1; > 0.
-  double pixelsPerPeriod = 8.0;
   // The table that thresholds are taken from. With the transition `none` the pattern stays fixed in
   // the image, whatever the frame.
   ToneTableOptions table;
@@ -31,16 +29,15 @@ struct PlacementOptions
 struct PatternPlacement
 {
   // Tile coordinates of a position (x, y) in logical pixels: dot(right, (x, y, 1)) and dot(up,
-  // ...).
+  // ...). They are at right angles in the picture.
   glm::vec3 right{ 0.0f, 0.0f, 0.0f };
   glm::vec3 up{ 0.0f, 0.0f, 0.0f };
   // Texels of level 0 per pixel of the framebuffer.
   float texelsPerPixel = 1.0f;
   // Weight of the second octave.
   float blend = 0.0f;
-  // Share of flat tone in each octave, and where its thresholds are in the table, counted in rows
-  // from its lower edge. Blended screens have one threshold: both are equal.
-  glm::vec2 flat{ 0.0f, 0.0f };
+  // Where the thresholds of each octave are in the table, counted in rows from its lower edge.
+  // Blended screens have one threshold: both are equal.
   glm::vec2 row{ 0.5f, 0.5f };
 };
 

@@ -20,8 +20,8 @@ namespace hachure
 namespace
 {
 
-// Waking a thread costs as much as projecting this many samples.
-constexpr std::int64_t samplesPerThread = 8192;
+// Waking a thread, which then waits awake for a while, costs as much as projecting this many samples.
+constexpr std::int64_t samplesPerThread = 1 << 20;
 constexpr double quarterOfPi = 0.78539816339744830962;
 
 bool isFinite(const glm::dvec3& value)

@@ -76,28 +76,30 @@ float blendAt(const ToneTableOptions& options, float scale)
         scale, static_cast<float>(options.lodStart), static_cast<float>(options.lodEnd));
 }
 
-// The levels of a tile, and the finest one that is drawn from.
+// The levels of a tile, and which one is drawn from.
 struct DrawnTile
 {
   Span<const PatternTile> mips;
-  float finestLevel;
+  float fixedLevel;
 
   DrawnTile(Span<const PatternTile> levels, const ToneTableOptions& options)
     : mips(levels)
-    , finestLevel(static_cast<float>(options.finestLevel))
+    , fixedLevel(static_cast<float>(options.fixedLevel))
   {
+  }
+  float level(float texelsPerPixel) const
+  {
+    return this->fixedLevel >= 0.0f ? this->fixedLevel : glsl::tileLevel(texelsPerPixel);
   }
 };
 
 // Screen and width at a footprint, with `blend` of the half-size copy.
 glm::vec2 fieldAt(const DrawnTile& tile, float texelsPerPixel, float blend, double u, double v)
 {
-  const glm::vec2 first = blend < 1.0f
-    ? trilinear(tile.mips, u, v, glsl::tileLevel(texelsPerPixel, tile.finestLevel))
-    : glm::vec2(0.0f);
+  const glm::vec2 first =
+    blend < 1.0f ? trilinear(tile.mips, u, v, tile.level(texelsPerPixel)) : glm::vec2(0.0f);
   const glm::vec2 second = blend > 0.0f
-    ? trilinear(
-        tile.mips, 2.0 * u, 2.0 * v, glsl::tileLevel(2.0f * texelsPerPixel, tile.finestLevel))
+    ? trilinear(tile.mips, 2.0 * u, 2.0 * v, tile.level(2.0f * texelsPerPixel))
     : glm::vec2(0.0f);
   return glsl::patternField(first, second, blend, texelsPerPixel);
 }
@@ -261,10 +263,10 @@ void checkArguments(
     check::fail(function, "referenceTexelsPerPixel",
       std::to_string(options.referenceTexelsPerPixel) + ", expected a positive number or 0");
   }
-  if (!(options.finestLevel >= 0.0) || !std::isfinite(options.finestLevel))
+  if (!std::isfinite(options.fixedLevel))
   {
-    check::fail(function, "finestLevel",
-      std::to_string(options.finestLevel) + ", expected a finite number of 0 or more");
+    check::fail(
+      function, "fixedLevel", std::to_string(options.fixedLevel) + ", expected a finite number");
   }
   check::inRange(function, "lodStart", options.lodStart, 1.0, 2.0);
   check::inRange(function, "lodEnd", options.lodEnd, options.lodStart, 2.0);
@@ -282,7 +284,7 @@ bool operator==(const ToneTableOptions& a, const ToneTableOptions& b)
 {
   return a.texelsPerPixelAtScale1 == b.texelsPerPixelAtScale1 && a.lodStart == b.lodStart &&
     a.lodEnd == b.lodEnd && a.transition == b.transition && a.correction == b.correction &&
-    a.referenceTexelsPerPixel == b.referenceTexelsPerPixel && a.finestLevel == b.finestLevel;
+    a.referenceTexelsPerPixel == b.referenceTexelsPerPixel && a.fixedLevel == b.fixedLevel;
 }
 
 ToneTable buildToneTable(Span<const PatternTile> mips, const ToneTableOptions& options)

@@ -42,8 +42,9 @@ struct ToneTableOptions
   // Texels per pixel at which transitionOnly looks at the uncorrected screen, where that is not
   // texelsPerPixelAtScale1; 0: it is.
   double referenceTexelsPerPixel = 0.0;
-  // Least mip level that the pattern is drawn from, as finestTileLevel has it; >= 0.
-  double finestLevel = 0.0;
+  // Mip level that both octaves are drawn from, as fixedTileLevel has it; below 0: the levels that
+  // fit their footprints.
+  double fixedLevel = -1.0;
 };
 
 bool operator==(const ToneTableOptions& a, const ToneTableOptions& b);

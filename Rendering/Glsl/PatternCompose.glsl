@@ -1,8 +1,9 @@
 // The stack of layers on paper, evaluated at one point of the picture. Shared by the screen pass
-// of opaque surfaces and by the forward shader of translucent ones.
+// of opaque surfaces and by the forward shader of translucent ones. PAPER is the colour of the paper:
+// hachurePaper or hachureSurfaceHere.
 
 uniform vec4 hachurePixelMap;  // logical pixel = fragment * xy + zw
-uniform vec4 hachurePaper;     // linear colour; w: 1 = the surface's colour instead
+uniform vec3 hachurePaper;     // linear colour
 uniform vec3 hachureNanColor;  // linear colour of surface without data
 uniform sampler2D hachureToneTables; // thresholds of 256 tones across, the rows of all layers up
 uniform sampler2D hachureResponses;  // the other way: tones of 256 thresholds (r), and their slope (g)
@@ -80,12 +81,11 @@ vec2 hachureUniformScreen(vec2 field, float row)
   return vec2(response.x, response.y * field.y);
 }
 
-// Where a pattern lies, as PatternPlacement.h has it.
+// Where a pattern lies; see PatternPlacement.h.
 struct HachurePlacement
 {
-  vec4 right;   // tile coordinate along x (xyz); texels of level 0 per framebuffer pixel
-  vec4 up;      // tile coordinate along y (xyz); weight of the half-size copy
-  vec4 octaves; // flat share of both octaves, rows of the tone tables of both
+  vec4 axis;    // change of the tile coordinate u along x and y (xy); u and v at the origin
+  vec4 octaves; // texels of level 0 per pixel of the framebuffer, weight of the half-size copy, rows of the tone tables of both octaves as texture coordinates
 };
 
 //Hachure::Patches::Dec
@@ -101,7 +101,7 @@ vec3 hachureCompose(vec2 position, vec3 surface, vec4 tones)
     return hachureNanColor;
   }
   hachureSurfaceHere = toLinear(surface);
-  vec3 color = hachurePaper.w > 0.0 ? hachureSurfaceHere : hachurePaper.rgb;
+  vec3 color = PAPER;
   //Hachure::Layers::Impl
   return color;
 }

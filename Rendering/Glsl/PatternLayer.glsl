@@ -1,4 +1,4 @@
-// One layer of the stack. '@' is its number, TONE its tone's channel, separation or constant, BLEND
+// One layer of the stack. '@' is its number, CURVE its tone, BLEND
 // its mixing function, INKCOLOR its linear colour at the position; hachureCoverage@ comes from the
 // layer's own text.
 
@@ -8,7 +8,7 @@ uniform vec3 hachureRemap@; // see toneCurve
 
 vec3 hachureLayer@(vec3 color, vec2 position, vec4 tones)
 {
-  float tone = toneCurve(TONE, hachureCurve@.x, hachureCurve@.y, hachureRemap@);
+  float tone = CURVE;
   float coverage = hachureCoverage@(position, tone);
   return BLEND(color, INKCOLOR, hachureInk@.a * coverage);
 }

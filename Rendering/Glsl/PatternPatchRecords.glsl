@@ -1,14 +1,13 @@
 // Which patches overlap on a triangle, and by what weights; see VertexPatches in TrianglePatches.h.
 
 uniform samplerBuffer hachurePatchRecords; // 7 texels for each triangle on which patches overlap
-uniform vec3 hachurePatchOrigin;     // of their coordinates, in the model's
-uniform mat4 hachureClipToPatches;   // from clip coordinates to theirs
-uniform vec4 hachureDrawnArea;       // framebuffer pixels: x, y, width, height
+uniform vec3 hachurePatchOrigin;       // of their coordinates, in the model's
+uniform mat4 hachureFragmentToPatches; // from fragment and depth to theirs
 
 // code: of the triangle's last vertex; point: model coordinates about the records' origin.
 void hachureSeeTriangle(float code, vec3 point)
 {
-  hachurePatchNumbers.x = max(code, 0.0);
+  hachurePatches.numbers.x = max(code, 0.0);
   // Software OpenGL executes both sides of every branch, but a loop no more often than it must.
   int texel = 7 * int(-code - 1.0);
   int best = texel;

@@ -1,35 +1,44 @@
 // Where the patterns of several patches lie, which overlap at this point of the surface.
 
-uniform sampler2D hachurePlacements; // patches up, three texels for every layer across
+uniform sampler2D hachurePlacements; // patches up, two texels for every layer across
 
-// The patches here, and how many there are.
-vec4 hachurePatchNumbers = vec4(0.0);
-vec4 hachurePatchShares = vec4(1.0, 0.0, 0.0, 0.0);
-int hachurePatchCount = 1;
+// Up to four patches, those with a share first.
+struct HachurePatches
+{
+  vec4 numbers;
+  vec4 shares;
+};
 
-// Patches without a share go to the end; the others keep their order.
+HachurePatches hachurePatches = HachurePatches(vec4(0.0), vec4(1.0, 0.0, 0.0, 0.0)); // here
+
+// Those marked by 1 give way to the next one.
+HachurePatches hachureMovedUp(HachurePatches patches, vec4 marked)
+{
+  HachurePatches next =
+    HachurePatches(patches.numbers.yzwx, vec4(patches.shares.yzw, 0.0));
+  return HachurePatches(mix(patches.numbers, next.numbers, marked),
+    mix(patches.shares, next.shares, marked));
+}
+
+// Without the first one: a loop over the patches takes each from the front, as software OpenGL takes
+// vectors apart wherever they have an index.
+HachurePatches hachureNextPatches(HachurePatches patches)
+{
+  return hachureMovedUp(patches, vec4(1.0));
+}
+
+// Closes the gaps that patches without a share leave; the others keep their order.
 void hachureSeePatches(vec4 numbers, vec4 weights)
 {
-  vec4 shares = relevantWeights(weights);
-  for (int turn = 0; turn < 3; ++turn)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      bool empty = shares[i] <= 0.0;
-      shares[i] = empty ? shares[i + 1] : shares[i];
-      numbers[i] = empty ? numbers[i + 1] : numbers[i];
-      shares[i + 1] = empty ? 0.0 : shares[i + 1];
-    }
-  }
-  hachurePatchNumbers = numbers;
-  hachurePatchShares = shares;
-  hachurePatchCount = int(dot(step(vec4(1.0e-6), shares), vec4(1.0)));
+  HachurePatches found = HachurePatches(numbers, relevantWeights(weights));
+  found = hachureMovedUp(found, step(found.shares.z, 0.0) * vec4(0.0, 0.0, 1.0, 1.0));
+  found = hachureMovedUp(found, step(found.shares.y, 0.0) * vec4(0.0, 1.0, 1.0, 1.0));
+  hachurePatches = hachureMovedUp(found, step(found.shares.x, 0.0) * vec4(1.0));
 }
 
 HachurePlacement hachurePlacementOf(int layer, float patchNumber)
 {
-  ivec2 texel = ivec2(3 * layer, int(patchNumber));
+  ivec2 texel = ivec2(2 * layer, int(patchNumber));
   return HachurePlacement(texelFetch(hachurePlacements, texel, 0),
-    texelFetch(hachurePlacements, texel + ivec2(1, 0), 0),
-    texelFetch(hachurePlacements, texel + ivec2(2, 0), 0));
+    texelFetch(hachurePlacements, texel + ivec2(1, 0), 0));
 }

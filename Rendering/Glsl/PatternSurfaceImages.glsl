@@ -8,8 +8,7 @@ uniform sampler2D hachureSurfacePoint; // model coordinates, w: packed normal of
 //Section PatchDec
 uniform sampler2D hachureSurfacePatch; // patch of the triangle, or -1 - the first record to try
 //Section PatchImpl
-  vec4 place = hachureClipToPatches *
-    vec4(2.0 * vec3((gl_FragCoord.xy - hachureDrawnArea.xy) / hachureDrawnArea.zw, depth) - 1.0, 1.0);
+  vec4 place = hachureFragmentToPatches * vec4(gl_FragCoord.xy, depth, 1.0);
   hachureSeeTriangle(texelFetch(hachureSurfacePatch, pixel, 0).r, place.xyz / place.w);
 //Section TextureDec
 uniform sampler2D hachureSurfaceTexture;       // texture coordinates, z: 1 where there are some

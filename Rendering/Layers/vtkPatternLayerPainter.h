@@ -64,7 +64,7 @@ public:
   /// Linear colour of the ink at `position`, a vec3 of the shader, where it depends on more than
   /// the layer's colour source; `coverage` is known.
   virtual std::string GetInkColor() const { return {}; }
-  /// Whether hachureResponse() is called.
+  /// Whether hachureUniformScreen() is called.
   virtual bool UsesResponses() const { return false; }
 
   /// Declarations with '@' for the layer's number; they define
@@ -74,14 +74,21 @@ public:
   virtual const std::vector<float>& GetTableRows() const = 0;
   virtual unsigned long GetTableVersion() const = 0;
 
+  /// Where a layer's rows are in the table that all layers share.
+  struct TablePart
+  {
+    std::size_t First;
+    std::size_t RowsOfAll;
+  };
+
   /// Values for one draw; `frame` is where the pattern lies now, in logical pixels.
   virtual void SetUniforms(vtkShaderProgram* program, const std::string& number,
-    const hachure::PatternFrame& frame, double firstTableRow) = 0;
+    const hachure::PatternFrame& frame, const TablePart& rows) = 0;
 
   /// What a shader must know of a pattern that lies there; see HachurePlacement in
   /// PatternCompose.glsl.
-  virtual std::array<glm::vec4, 3> GetPlacement(
-    const hachure::PatternFrame& frame, double firstTableRow) const = 0;
+  virtual std::array<glm::vec4, 2> GetPlacement(
+    const hachure::PatternFrame& frame, const TablePart& rows) const = 0;
 
   virtual void Activate() = 0;
   virtual void Deactivate() = 0;

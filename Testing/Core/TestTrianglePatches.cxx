@@ -197,10 +197,17 @@ TEST(TrianglePatches, MixedScreensChangeAsTheirPartsDo)
   }
 }
 
-TEST(TrianglePatches, SmallWeightsAreLeftOut)
+TEST(TrianglePatches, SmallWeightsFadeOut)
 {
-  const glm::vec4 weights = glsl::relevantWeights(glm::vec4(0.6f, 0.39f, 0.01f, 0.0f));
-  EXPECT_NEAR(weights.x, 0.6 / 0.99, 1e-6);
-  EXPECT_EQ(weights.z, 0.0f);
-  EXPECT_NEAR(weights.x + weights.y, 1.0f, 1e-6f);
+  const float least = glsl::patchLeastWeight;
+  for (const float small : { 0.0f, 0.5f * least, least, 1.01f * least, 2.0f * least })
+  {
+    const glm::vec4 weights =
+      glsl::relevantWeights(glm::vec4(0.6f, 0.4f - small, small, 0.0f));
+    const float rest = std::max(small - least, 0.0f);
+    EXPECT_NEAR(weights.z, rest / (1.0f - 2.0f * least - std::min(small, least)), 1e-5f);
+    EXPECT_EQ(weights.w, 0.0f);
+    EXPECT_NEAR(weights.x + weights.y + weights.z, 1.0f, 1e-6f);
+  }
+  EXPECT_EQ(glsl::relevantWeights(glm::vec4(0.5f, 0.5f, 0.0f, 0.0f)), glm::vec4(0.5, 0.5, 0, 0));
 }

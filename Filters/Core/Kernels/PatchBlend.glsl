@@ -32,13 +32,13 @@ float triangleFit(vec3 point, vec3 corner, vec3 toSecond, vec3 toThird)
   return min(min(second, third), 1.0f - second - third) - distance;
 }
 
-// Largest of the weights that do not matter: less than a step of tone that anyone can see.
-const float patchLeastWeight = 1.0f / 64.0f;
+// Weights up to this one do not matter: every patch that is drawn costs as much as one alone.
+const float patchLeastWeight = 1.0f / 16.0f;
 
-// Weights of which those that are too small are left out; their sum is 1.
+// Weights less what does not matter, so that none begins with a jump; their sum is 1.
 vec4 relevantWeights(vec4 weights)
 {
-  vec4 kept = weights * step(vec4(patchLeastWeight), weights);
+  vec4 kept = max(weights - patchLeastWeight, vec4(0.0f));
   return kept / max(kept.x + kept.y + kept.z + kept.w, 1.0e-6f);
 }
 

@@ -10,14 +10,14 @@
 //          and between levels
 //   table  R32F texture, 256 tones wide, linear, clamped to edge: the ToneTable of the transition in
 //          use
-//   finest finestTileLevel(tpp1)
+//   level  fixedTileLevel(tpp1); where the period may be any, tileLevel(footprint) of each octave
 //   tpp1   texels of level 0 per drawn pixel at s = 1 (the table is built with the same number):
 //          tile width / (periods across the tile * pixels per period)
 //
 //   float tpp = tpp1 / s;
 //   float t = lodBlend(s, s0, s1);
-//   vec2 first = tileTexel(textureLod(tile, uv, tileLevel(tpp, finest)).rg);          // unless t == 1
-//   vec2 second = tileTexel(textureLod(tile, 2 uv, tileLevel(2.0 * tpp, finest)).rg); // unless t == 0
+//   vec2 first = tileTexel(textureLod(tile, uv, level).rg);    // may be skipped when t == 1
+//   vec2 second = tileTexel(textureLod(tile, 2 uv, level).rg); // may be skipped when t == 0
 // The octaves blend as screens, so that marks change their shape,
 //   vec2 field = patternField(first, second, t, tpp);
 //   float threshold = texture(table, vec2(tableColumn(tone), tableRow(s, s0, s1))).r;
@@ -60,15 +60,16 @@ vec2 tileTexel(vec2 stored)
 
 // Mip level, may be fractional, for a footprint in texels of level 0 per pixel: up to two texels
 // per pixel are skipped, since edges are smoothed analytically, and coarser levels would make thin
-// strokes dotted. `finest`: least level to draw from.
-float tileLevel(float texelsPerPixel, float finest)
+// strokes dotted.
+float tileLevel(float texelsPerPixel)
 {
-  return max(finest, log2(max(texelsPerPixel, 1.0e-6f)) - 2.0f);
+  return max(0.0f, log2(max(texelsPerPixel, 1.0e-6f)) - 2.0f);
 }
 
-// The finest level that a pattern is drawn from, for its footprint at scale 1: some two texels per
-// pixel. Finer ones would show no more, and take several times the memory that caches must hold.
-float finestTileLevel(float texelsPerPixelAtScale1)
+// The one level from which a pattern is drawn whose period in the picture stays within an octave, for
+// its footprint at scale 1: it has 1.4 to 2.8 texels per pixel there. Finer ones would show no more,
+// and take several times the memory that caches must hold.
+float fixedTileLevel(float texelsPerPixelAtScale1)
 {
   return max(0.0f, floor(log2(max(texelsPerPixelAtScale1, 1.0e-6f)) + 0.5f) - 1.0f);
 }

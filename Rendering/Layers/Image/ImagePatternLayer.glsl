@@ -1,38 +1,55 @@
-// An image-pattern layer: a tileable screen, moved by a 2D similarity. '@' is the layer's number.
+// An image-pattern layer: a tileable screen, moved by a 2D similarity. '@' is the layer's number,
+// FADES whether its octaves cross-fade as inks (or else blend as screens), LEVEL the mip level of
+// its tile, ASPECT the tile's width over its height, PERIOD the texels of level 0 in a
+// period. All are constants: software OpenGL reads a uniform anew in every turn of a loop.
 
 //Section Ink
 uniform sampler2D hachureTile@; // screen and gradient, see tileTexel
-uniform float hachureFinest@;   // see finestTileLevel
-uniform float hachureFade@;     // 1: the octaves cross-fade as inks, 0: they blend as screens
 
 //Hachure::Paper::Dec
 //Hachure::Paint::Dec
 
+// Change of the tile coordinates along x (x) and y (y) of the picture; those of u are at.axis.xy.
+vec2 hachureUp@(HachurePlacement at)
+{
+  return ASPECT * vec2(-at.axis.y, at.axis.x);
+}
+
+// Share of flat tone with `copied` of the half-size copy.
+float hachureFlatness@(HachurePlacement at, float copied)
+{
+  return flatShare(1.0, copied, PERIOD / at.octaves.x);
+}
+
 // Ink of the pattern where it lies so; field: where octaves blend as screens, the screen and its
 // change across the pixel; share: weight of this ink in what is drawn.
+//
+// Software OpenGL executes both sides of every branch, but a loop no more often than it must; and it
+// takes arrays and vectors apart wherever they have an index.
 float hachureInkAt@(HachurePlacement at, vec2 position, float tone, float share, out vec2 field)
 {
-  vec2 uv = vec2(dot(at.right.xyz, vec3(position, 1.0)), dot(at.up.xyz, vec3(position, 1.0)));
-  float footprint = at.right.w;
-  float blend = at.up.w;
-  vec2 texels[2] = vec2[2](vec2(0.0), vec2(0.0));
-  float inks[2] = float[2](0.0, 0.0);
-  // Software OpenGL executes both sides of every branch, but a loop no more often than it must.
-  int last = blend > 0.0 ? 1 : 0;
-  for (int octave = blend < 1.0 ? 0 : 1; octave <= last; ++octave)
+  vec2 uv = at.axis.zw + vec2(dot(at.axis.xy, position), dot(hachureUp@(at), position));
+  float footprint = at.octaves.x;
+  float blend = at.octaves.y;
+  float column = tableColumn(tone);
+  vec2 first = vec2(0.0);
+  float firstInk = 0.0;
+  float ink = 0.0;
+  for (float octave = step(1.0, blend); octave <= ceil(blend); octave += 1.0)
   {
-    float size = float(octave + 1);
-    texels[octave] =
-      tileTexel(textureLod(hachureTile@, size * uv, tileLevel(size * footprint, hachureFinest@)).rg);
-    field = patternField(
-      texels[0], texels[1], hachureFade@ > 0.0 ? float(octave) : blend, footprint);
-    float row = at.octaves[2 + octave] / hachureTableRows;
-    inks[octave] = patternInk(
-      tone, hachureThreshold(tableColumn(tone), row), field, at.octaves[octave]);
+    float size = 1.0 + octave;
+    vec2 texel = tileTexel(textureLod(hachureTile@, size * uv, LEVEL).rg);
+    first = octave > 0.0 ? first : texel;
+    float copied = FADES ? octave : blend;
+    field = patternField(first, texel, copied, footprint);
+    float flatness = hachureFlatness@(at, copied);
+    float row = mix(at.octaves.z, at.octaves.w, octave);
+    firstInk = ink;
+    ink = patternInk(tone, hachureThreshold(column, row), field, flatness);
     //Hachure::Paper::Impl
     //Hachure::Paint::Impl
   }
-  return hachureFade@ > 0.0 ? mix(inks[0], inks[1], blend) : inks[last];
+  return FADES ? mix(firstInk, ink, blend > 0.0 ? blend : 1.0) : ink;
 }
 
 //Section PaperDec
@@ -44,7 +61,7 @@ float hachureInkOnPaper@(vec2 uv, vec2 field, float row, float tone, float footp
 {
   float texels = footprint * hachureGrain@.z;
   vec2 paper =
-    tileTexel(textureLod(hachurePaper@, hachureGrain@.y * uv, tileLevel(texels, 0.0)).rg);
+    tileTexel(textureLod(hachurePaper@, hachureGrain@.y * uv, tileLevel(texels)).rg);
   // A dry pencil catches on the heights first.
   vec2 mixed = mixScreens(hachureUniformScreen(field, row),
     vec2(1.0 - paper.x, paper.y * edgeSharpness * texels), hachureGrain@.x);
@@ -52,10 +69,9 @@ float hachureInkOnPaper@(vec2 uv, vec2 field, float row, float tone, float footp
   return inkCoverage(mixed.x, exactThreshold(tone, width), width);
 }
 //Section PaperImpl
-    inks[octave] = tone <= 0.0 || tone >= 1.0
-      ? inks[octave]
-      : mix(hachureInkOnPaper@(size * uv, field, row, tone, size * footprint), tone,
-          at.octaves[octave]);
+    ink = tone <= 0.0 || tone >= 1.0
+      ? ink
+      : mix(hachureInkOnPaper@(size * uv, field, row, tone, size * footprint), tone, flatness);
 //Section PaintDec
 uniform sampler2D hachureDabs@;      // of the dab on top: offset to its middle (rg), opacity, height
 uniform sampler2D hachureDabsBelow@; // of the one below it: offset, opacity, its own brightness
@@ -74,14 +90,15 @@ vec3 hachureDabColor@(vec2 position, vec2 offset, mat2 toPosition, float brightn
 // Colour of the paint at tile coordinates uv of a copy `size` times smaller.
 vec3 hachurePaintAt@(HachurePlacement at, vec2 position, vec2 uv, float size)
 {
-  int level = int(max(0.0, floor(log2(max(size * at.right.w, 1.0)) + 0.5)));
+  int level = int(max(0.0, floor(log2(max(size * at.octaves.x, 1.0)) + 0.5)));
   ivec2 extent = textureSize(hachureDabs@, level);
   vec2 where = fract(uv) * vec2(extent);
   ivec2 texel = min(ivec2(where), extent - 1);
   vec4 top = texelFetch(hachureDabs@, texel, level);
   vec4 below = texelFetch(hachureDabsBelow@, texel, level);
   vec2 toMiddle = (vec2(texel) + 0.5 - where) / vec2(extent);
-  mat2 toPosition = inverse(size * mat2(at.right.x, at.up.x, at.right.y, at.up.y));
+  vec2 up = hachureUp@(at);
+  mat2 toPosition = inverse(size * mat2(at.axis.x, up.x, at.axis.y, up.y));
   vec3 ground = hachurePaint@.z > 0.0 ? hachureSurfaceHere : hachurePaintColor@;
   vec3 color = mix(ground,
     hachureDabColor@(position, toMiddle + below.xy, toPosition, fract(7.31 * below.w)), below.z);
@@ -90,7 +107,7 @@ vec3 hachurePaintAt@(HachurePlacement at, vec2 position, vec2 uv, float size)
   {
     // Light from the upper left of the picture, over one pixel and a half.
     vec2 aside = vec2(-0.9, 1.2) * hachurePixelMap.xy;
-    vec2 other = fract(uv + size * vec2(dot(at.right.xy, aside), dot(at.up.xy, aside)));
+    vec2 other = fract(uv + size * vec2(dot(at.axis.xy, aside), dot(up, aside)));
     ivec2 neighbour = min(ivec2(other * vec2(extent)), extent - 1);
     float rise = top.w - texelFetch(hachureDabs@, neighbour, level).w;
     color *= clamp(1.0 + 2.0 * relief * rise, 0.3, 2.0);
@@ -98,18 +115,17 @@ vec3 hachurePaintAt@(HachurePlacement at, vec2 position, vec2 uv, float size)
   return clamp(color, vec3(0.0), vec3(1.0));
 }
 //Section PaintImpl
-    float part = share * (octave == 1 ? blend : 1.0 - blend);
-    hachurePainted@ += part * inks[octave] * hachurePaintAt@(at, position, size * uv, size);
+    float part = share * mix(1.0 - blend, blend, octave);
+    hachurePainted@ += part * ink * hachurePaintAt@(at, position, size * uv, size);
 //Section One
-uniform vec4 hachureRight@; // where the pattern lies, see HachurePlacement
-uniform vec4 hachureUp@;
+uniform vec4 hachureAxis@; // where the pattern lies, see HachurePlacement
 uniform vec4 hachureOctaves@;
 
 float hachureCoverage@(vec2 position, float tone)
 {
   vec2 field = vec2(0.0);
   return hachureInkAt@(
-    HachurePlacement(hachureRight@, hachureUp@, hachureOctaves@), position, tone, 1.0, field);
+    HachurePlacement(hachureAxis@, hachureOctaves@), position, tone, 1.0, field);
 }
 
 //Section Patches
@@ -118,11 +134,12 @@ float hachureCoverage@(vec2 position, float tone)
 {
   float ink = 0.0;
   vec2 field = vec2(0.0);
-  for (int k = 0; k < hachurePatchCount; ++k)
+  HachurePatches rest = hachurePatches;
+  for (; rest.shares.x > 0.0; rest = hachureNextPatches(rest))
   {
-    float share = hachurePatchShares[k];
+    float share = rest.shares.x;
     ink += share *
-      hachureInkAt@(hachurePlacementOf(@, hachurePatchNumbers[k]), position, tone, share, field);
+      hachureInkAt@(hachurePlacementOf(@, rest.numbers.x), position, tone, share, field);
   }
   return ink;
 }
@@ -138,19 +155,19 @@ float hachureCoverage@(vec2 position, float tone)
   float sum = 0.0;
   float flatness = 0.0;
   float turned = 0.0;
-  vec4 axes = vec4(0.0);
-  for (int k = 0; k < hachurePatchCount; ++k)
+  vec2 axes = vec2(0.0);
+  HachurePatches rest = hachurePatches;
+  for (; rest.shares.x > 0.0; rest = hachureNextPatches(rest))
   {
-    float share = hachurePatchShares[k];
-    HachurePlacement at = hachurePlacementOf(@, hachurePatchNumbers[k]);
+    float share = rest.shares.x;
+    HachurePlacement at = hachurePlacementOf(@, rest.numbers.x);
     vec2 field = vec2(0.0);
     faded += share * hachureInkAt@(at, position, tone, share, field);
     sum += share;
-    mixed = mixScreens(
-      mixed, hachureUniformScreen(field, at.octaves.z / hachureTableRows), share / sum);
-    flatness += share * at.octaves.x;
-    vec4 own = vec4(at.right.xy, at.up.xy) * (at.up.w > 0.5 ? 2.0 : 1.0);
-    axes = k == 0 ? own : axes;
+    mixed = mixScreens(mixed, hachureUniformScreen(field, at.octaves.z), share / sum);
+    flatness += share * hachureFlatness@(at, at.octaves.y);
+    vec2 own = at.axis.xy * (at.octaves.y > 0.5 ? 2.0 : 1.0);
+    axes = sum > share ? axes : own;
     turned = max(turned, length(own - axes) / length(axes));
   }
   float width = max(mixed.y, 1.0e-4);

@@ -56,7 +56,7 @@ float hachureProjection@(vec2 at, vec2 alongX, vec2 alongY, float grown, float t
   for (int octave = blend < 1.0 ? 0 : 1; octave <= last; ++octave)
   {
     float size = float(octave + 1);
-    float level = tileLevel(size * axes.x, 0.0);
+    float level = tileLevel(size * axes.x);
     vec2 center = size * uv;
     vec2 step = exp2(floor(level)) / hachureShape@.xy;
     vec2 rise = vec2(textureLod(hachureTile@, center + vec2(step.x, 0.0), level).r -

@@ -161,6 +161,16 @@ std::string vtkImagePatternLayerPainter::GetDeclarations(bool patches) const
       vtkShaderProgram::Substitute(text, tag, part.second ? section(name + place) : std::string());
     }
   }
+  const hachure::PatternTile& tile = this->Tile->front();
+  const std::pair<const char*, double> constants[] = { { "LEVEL",
+                                                         this->Tables.front()->options.fixedLevel },
+    { "ASPECT", static_cast<double>(tile.width) / tile.height },
+    { "PERIOD", static_cast<double>(tile.width) / tile.periods } };
+  for (const auto& constant : constants)
+  {
+    vtkShaderProgram::Substitute(text, constant.first, std::to_string(constant.second));
+  }
+  vtkShaderProgram::Substitute(text, "FADES", this->BlendsScreens() ? "false" : "true");
   return text;
 }
 
@@ -277,8 +287,8 @@ hachure::ToneTableOptions vtkImagePatternLayerPainter::TableOptions() const
   }
   if (!this->OnSurface())
   {
-    options.finestLevel =
-      hachure::glsl::finestTileLevel(static_cast<float>(options.texelsPerPixelAtScale1));
+    options.fixedLevel =
+      hachure::glsl::fixedTileLevel(static_cast<float>(options.texelsPerPixelAtScale1));
   }
   options.lodStart = std::min(this->Layer->GetLodStart(), 1.98);
   options.lodEnd = std::max(this->Layer->GetLodEnd(), options.lodStart + 0.01);
@@ -397,17 +407,14 @@ void vtkImagePatternLayerPainter::Upload(vtkOpenGLRenderWindow* window)
 }
 
 void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const std::string& number,
-  const hachure::PatternFrame& frame, double firstTableRow)
+  const hachure::PatternFrame& frame, const TablePart& rows)
 {
   program->SetUniformi(("hachureTile" + number).c_str(), this->Texture->GetTextureUnit());
   if (this->OnSurface())
   {
-    this->SetSurfaceUniforms(program, number, firstTableRow);
+    this->SetSurfaceUniforms(program, number, static_cast<double>(rows.First));
     return;
   }
-  program->SetUniformf(("hachureFade" + number).c_str(), this->BlendsScreens() ? 0.0f : 1.0f);
-  program->SetUniformf(("hachureFinest" + number).c_str(),
-    static_cast<float>(this->Tables.front()->options.finestLevel));
   if (this->Paper)
   {
     this->SetPaperUniforms(program, number);
@@ -416,8 +423,8 @@ void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const s
   {
     this->SetPaintUniforms(program, number);
   }
-  const std::array<glm::vec4, 3> placement = this->GetPlacement(frame, firstTableRow);
-  const char* const names[] = { "hachureRight", "hachureUp", "hachureOctaves" };
+  const std::array<glm::vec4, 2> placement = this->GetPlacement(frame, rows);
+  const char* const names[] = { "hachureAxis", "hachureOctaves" };
   for (std::size_t i = 0; i < placement.size(); ++i)
   {
     const std::string name = names[i] + number;
@@ -428,13 +435,14 @@ void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const s
   }
 }
 
-std::array<glm::vec4, 3> vtkImagePatternLayerPainter::GetPlacement(
-  const hachure::PatternFrame& frame, double firstTableRow) const
+std::array<glm::vec4, 2> vtkImagePatternLayerPainter::GetPlacement(
+  const hachure::PatternFrame& frame, const TablePart& rows) const
 {
   const hachure::PatternPlacement placement = this->Place(frame);
-  const auto firstRow = static_cast<float>(firstTableRow);
-  return { glm::vec4(placement.right, placement.texelsPerPixel),
-    glm::vec4(placement.up, placement.blend), glm::vec4(placement.flat, placement.row + firstRow) };
+  const glm::vec2 row =
+    (placement.row + static_cast<float>(rows.First)) / static_cast<float>(rows.RowsOfAll);
+  return { glm::vec4(placement.right, placement.up.z),
+    glm::vec4(placement.texelsPerPixel, placement.blend, row) };
 }
 
 hachure::PatternPlacement vtkImagePatternLayerPainter::Place(
@@ -445,7 +453,6 @@ hachure::PatternPlacement vtkImagePatternLayerPainter::Place(
   hachure::PlacementOptions options;
   options.tileSize = { width, width * tile.height / tile.width };
   options.angle = this->Layer->GetAngle() * radiansPerDegree;
-  options.pixelsPerPeriod = this->Period;
   options.table = this->Tables.front()->options;
   return hachure::placePattern(frame, options);
 }

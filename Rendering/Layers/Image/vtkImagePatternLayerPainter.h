@@ -33,9 +33,9 @@ public:
   const std::vector<float>& GetTableRows() const override { return this->TableRows; }
   unsigned long GetTableVersion() const override { return this->TableVersion; }
   void SetUniforms(vtkShaderProgram* program, const std::string& number,
-    const hachure::PatternFrame& frame, double firstTableRow) override;
-  std::array<glm::vec4, 3> GetPlacement(
-    const hachure::PatternFrame& frame, double firstTableRow) const override;
+    const hachure::PatternFrame& frame, const TablePart& rows) override;
+  std::array<glm::vec4, 2> GetPlacement(
+    const hachure::PatternFrame& frame, const TablePart& rows) const override;
   void Activate() override;
   void Deactivate() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;

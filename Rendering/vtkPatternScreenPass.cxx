@@ -6,6 +6,7 @@
 
 #include "PatternOutline.h"
 #include "PatternScreenFS.h"
+#include "PatternScreenVS.h"
 #include "PatternSurfaceImages.h"
 #include "vtkActor.h"
 #include "vtkOpenGLQuadHelper.h"
@@ -79,7 +80,8 @@ vtkShaderProgram* vtkPatternScreenPass::Prepare(
   if (!this->Quad || this->QuadText != text)
   {
     this->ReleaseGraphicsResources(scene.Window);
-    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(scene.Window, nullptr, text.c_str(), "");
+    this->Quad =
+      std::make_unique<vtkOpenGLQuadHelper>(scene.Window, PatternScreenVS, text.c_str(), "");
     this->QuadText = text;
   }
   vtkShaderProgram* program = this->Quad->Program;

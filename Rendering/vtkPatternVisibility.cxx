@@ -4,7 +4,9 @@
 
 #include "vtkHachureCompatibility.h"
 
-#include "PatternVisibilityFS.h"
+#include "PatternVisibilityOwnFS.h"
+#include "PatternVisibilitySceneFS.h"
+#include "PatternVisibilityVS.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -63,7 +65,7 @@ bool vtkPatternVisibility::Prepare(vtkOpenGLRenderWindow* window, const vtkPatte
   {
     this->ReleaseGraphicsResources(window);
     this->Size = size;
-    Target(window, this->OwnFramebuffer, this->Own, size, 2, VTK_FLOAT);
+    Target(window, this->OwnFramebuffer, this->Own, size, 4, VTK_FLOAT);
     Target(window, this->SceneFramebuffer, this->Scene, size, 1, VTK_UNSIGNED_CHAR);
   }
   if (!this->Positions->GetHandle() || this->PositionVersion != samples.GetPositionVersion() ||
@@ -87,11 +89,14 @@ bool vtkPatternVisibility::Prepare(vtkOpenGLRenderWindow* window, const vtkPatte
     this->PositionVersion = samples.GetPositionVersion();
     this->Source = &samples;
   }
-  if (!this->Quad)
+  if (!this->OwnQuad)
   {
-    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, PatternVisibilityFS, "");
+    this->OwnQuad = std::make_unique<vtkOpenGLQuadHelper>(
+      window, PatternVisibilityVS, PatternVisibilityOwnFS, "");
+    this->SceneQuad =
+      std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, PatternVisibilitySceneFS, "");
   }
-  return this->Quad->Program != nullptr;
+  return this->OwnQuad->Program && this->SceneQuad->Program;
 }
 
 bool vtkPatternVisibility::MeasureOwn(vtkOpenGLRenderWindow* window,
@@ -102,9 +107,19 @@ bool vtkPatternVisibility::MeasureOwn(vtkOpenGLRenderWindow* window,
   const bool prepared = this->Prepare(window, samples);
   if (prepared)
   {
-    this->ModelToClip = glm::translate(modelToClip, samples.GetCenter());
-    this->Viewport = viewport;
-    this->Draw(window, this->OwnFramebuffer, depth, 0);
+    vtkShaderProgram* program = this->OwnQuad->Program;
+    window->GetShaderCache()->ReadyShaderProgram(program);
+    const glm::dvec3 corner(viewport[0], viewport[1], 0.0);
+    const glm::dvec3 size(viewport[2], viewport[3], 1.0);
+    const glm::dmat4 clipToFragment = glm::translate(
+      glm::scale(glm::translate(glm::dmat4(1.0), corner), 0.5 * size), glm::dvec3(1.0));
+    const glm::dmat4 toFragment = clipToFragment * glm::translate(modelToClip, samples.GetCenter());
+    SetMatrix(program, "sampleToFragment", toFragment);
+    SetMatrix(program, "fragmentToSample", glm::inverse(toFragment));
+    const glm::vec4 pixels(glm::dvec2(corner), glm::dvec2(corner + size));
+    program->SetUniform4f("viewportPixels", &pixels.x);
+    this->Draw(window,
+      { this->OwnQuad.get(), this->OwnFramebuffer, depth, this->Positions, "samplePositions" });
   }
   window->GetState()->PopFramebufferBindings();
   this->OwnMeasured = prepared;
@@ -118,48 +133,36 @@ void vtkPatternVisibility::MeasureScene(vtkOpenGLRenderWindow* window, vtkTextur
     return;
   }
   window->GetState()->PushFramebufferBindings();
-  this->Draw(window, this->SceneFramebuffer, depth, 1);
+  window->GetShaderCache()->ReadyShaderProgram(this->SceneQuad->Program);
+  this->Draw(
+    window, { this->SceneQuad.get(), this->SceneFramebuffer, depth, this->Own, "ownVisibility" });
   window->GetState()->PopFramebufferBindings();
   this->OwnMeasured = false;
   this->SceneMeasured = true;
 }
 
-void vtkPatternVisibility::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* target,
-  vtkTextureObject* depth, int sceneStage)
+void vtkPatternVisibility::Draw(vtkOpenGLRenderWindow* window, const Stage& stage)
 {
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  target->Bind();
-  target->ActivateDrawBuffer(0);
+  stage.Target->Bind();
+  stage.Target->ActivateDrawBuffer(0);
   state->vtkglViewport(0, 0, this->Size[0], this->Size[1]);
   state->vtkglScissor(0, 0, this->Size[0], this->Size[1]);
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
 
-  vtkShaderProgram* program = this->Quad->Program;
-  window->GetShaderCache()->ReadyShaderProgram(program);
-  this->Positions->Activate();
-  depth->Activate();
-  this->Own->Activate();
-  program->SetUniformi("samplePositions", this->Positions->GetTextureUnit());
-  program->SetUniformi("depthImage", depth->GetTextureUnit());
-  // The own stage writes the image that the scene stage reads.
-  program->SetUniformi("ownVisibility",
-    sceneStage == 1 ? this->Own->GetTextureUnit() : this->Positions->GetTextureUnit());
-  program->SetUniformi("sceneStage", sceneStage);
-  SetMatrix(program, "modelToClip", this->ModelToClip);
-  SetMatrix(program, "clipToModel", glm::inverse(this->ModelToClip));
-  const float area[4] = { static_cast<float>(this->Viewport[0]),
-    static_cast<float>(this->Viewport[1]), static_cast<float>(this->Viewport[2]),
-    static_cast<float>(this->Viewport[3]) };
-  program->SetUniform4f("viewport", area);
-  this->Quad->Render();
-  this->Own->Deactivate();
-  depth->Deactivate();
-  this->Positions->Deactivate();
+  vtkShaderProgram* program = stage.Quad->Program;
+  stage.PerSample->Activate();
+  stage.Depth->Activate();
+  program->SetUniformi(stage.PerSampleName, stage.PerSample->GetTextureUnit());
+  program->SetUniformi("depthImage", stage.Depth->GetTextureUnit());
+  stage.Quad->Render();
+  stage.Depth->Deactivate();
+  stage.PerSample->Deactivate();
 }
 
 std::vector<std::uint8_t> vtkPatternVisibility::Read(vtkOpenGLRenderWindow* window)
@@ -188,10 +191,13 @@ void vtkPatternVisibility::Forget()
 
 void vtkPatternVisibility::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Quad)
+  for (auto* quad : { &this->OwnQuad, &this->SceneQuad })
   {
-    this->Quad->ReleaseGraphicsResources(window);
-    this->Quad.reset();
+    if (*quad)
+    {
+      (*quad)->ReleaseGraphicsResources(window);
+      quad->reset();
+    }
   }
   this->Positions->ReleaseGraphicsResources(window);
   this->Own->ReleaseGraphicsResources(window);

@@ -46,10 +46,18 @@ public:
 
 private:
   bool Prepare(vtkOpenGLRenderWindow* window, const vtkPatternSamples& samples);
-  void Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* target,
-    vtkTextureObject* depth, int sceneStage);
+  struct Stage
+  {
+    vtkOpenGLQuadHelper* Quad;
+    vtkOpenGLFramebufferObject* Target;
+    vtkTextureObject* Depth;
+    vtkTextureObject* PerSample; // one texel a sample
+    const char* PerSampleName;
+  };
+  void Draw(vtkOpenGLRenderWindow* window, const Stage& stage);
 
-  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  std::unique_ptr<vtkOpenGLQuadHelper> OwnQuad;
+  std::unique_ptr<vtkOpenGLQuadHelper> SceneQuad;
   vtkNew<vtkTextureObject> Positions;
   vtkNew<vtkTextureObject> Own;
   vtkNew<vtkTextureObject> Scene;
@@ -59,8 +67,6 @@ private:
   std::size_t Count = 0;
   std::uint64_t PositionVersion = 0;
   const vtkPatternSamples* Source = nullptr;
-  glm::dmat4 ModelToClip{ 1.0 };
-  std::array<int, 4> Viewport = { 0, 0, 0, 0 };
   bool OwnMeasured = false;
   bool SceneMeasured = false;
 };

@@ -1,8 +1,7 @@
 // Which patches overlap on a triangle, and by what weights; see VertexPatches in TrianglePatches.h.
 
 uniform samplerBuffer hachurePatchRecords; // 7 texels for each triangle on which patches overlap
-uniform vec3 hachurePatchOrigin;       // of their coordinates, in the model's
-uniform mat4 hachureFragmentToPatches; // from fragment and depth to theirs
+uniform vec3 hachurePatchOrigin; // of their coordinates, in the model's
 
 // code: of the triangle's last vertex; point: model coordinates about the records' origin.
 void hachureSeeTriangle(float code, vec3 point)

@@ -354,7 +354,7 @@ void vtkPatternCompositor::SetPatchUniforms(
     const glm::vec3 about(origin);
     program->SetUniform3f("hachurePatchOrigin", &about.x);
   }
-  if (program->IsUniformUsed("hachurePatchMatrix"))
+  if (program->IsUniformUsed("hachureFragmentToPatches"))
   {
     const std::array<int, 4>& area = viewport.Drawn;
     const glm::dvec3 size(area[2], area[3], 1.0);
@@ -366,7 +366,7 @@ void vtkPatternCompositor::SetPatchUniforms(
     const glm::mat4 matrix(toPatches * toClip);
     float values[16];
     std::copy(&matrix[0][0], &matrix[0][0] + 16, values);
-    program->SetUniformMatrix4x4("hachurePatchMatrix", values);
+    program->SetUniformMatrix4x4("hachureFragmentToPatches", values);
   }
 }
 

@@ -22,6 +22,51 @@
 
 #include <cmath>
 
+namespace
+{
+// Replaces uniforms of a fragment shader by values that the vertices of its rectangle hand on,
+// which are the same for all of it. Software OpenGL reads those once, but uniforms for every
+// fragment and number by number: a quarter of the time of a drawing in three layers. As many as any
+// OpenGL takes.
+std::string VertexText(std::string& fragment)
+{
+  constexpr int vectorsOfAnyOpenGL = 15;
+  int free = vectorsOfAnyOpenGL - 1; // one is the texture coordinate's
+  std::string declarations;
+  std::string assignments;
+  const std::string keyword = "uniform ";
+  for (std::size_t at = fragment.find(keyword); at != std::string::npos;
+       at = fragment.find(keyword, at + 1))
+  {
+    const std::size_t typeEnd = fragment.find(' ', at + keyword.size());
+    const std::size_t end = fragment.find(';', at);
+    const std::string type = fragment.substr(at + keyword.size(), typeEnd - at - keyword.size());
+    const std::string name = fragment.substr(typeEnd + 1, end - typeEnd - 1);
+    const bool matrix = type == "mat4";
+    const bool vector = type == "vec2" || type == "vec3" || type == "vec4";
+    const bool used = fragment.find(name, end) != std::string::npos;
+    const int size = matrix ? 4 : 1;
+    if ((at > 0 && fragment[at - 1] != '\n') || !(matrix || vector) || !used || size > free)
+    {
+      continue;
+    }
+    free -= size;
+    std::string flat = name;
+    flat += "Flat";
+    std::string handedOn = "flat in ";
+    handedOn.append(type).append(" ").append(flat).append(";\n#define ");
+    handedOn.append(name).append(" ").append(flat).append("\n");
+    declarations += "uniform " + type + " " + name + ";\nflat out " + type + " " + flat + ";\n";
+    assignments += "  " + flat + " = " + name + ";\n";
+    fragment.replace(at, end + 1 - at, handedOn);
+  }
+  std::string vertex = PatternScreenVS;
+  vtkShaderProgram::Substitute(vertex, "//Hachure::Flat::Dec", declarations);
+  vtkShaderProgram::Substitute(vertex, "  //Hachure::Flat::Impl", assignments);
+  return vertex;
+}
+} // namespace
+
 vtkPatternScreenPass::vtkPatternScreenPass() = default;
 vtkPatternScreenPass::~vtkPatternScreenPass() = default;
 
@@ -80,8 +125,10 @@ vtkShaderProgram* vtkPatternScreenPass::Prepare(
   if (!this->Quad || this->QuadText != text)
   {
     this->ReleaseGraphicsResources(scene.Window);
+    std::string fragment = text;
+    const std::string vertex = VertexText(fragment);
     this->Quad =
-      std::make_unique<vtkOpenGLQuadHelper>(scene.Window, PatternScreenVS, text.c_str(), "");
+      std::make_unique<vtkOpenGLQuadHelper>(scene.Window, vertex.c_str(), fragment.c_str(), "");
     this->QuadText = text;
   }
   vtkShaderProgram* program = this->Quad->Program;

@@ -7,7 +7,7 @@ uniform sampler2D hachureSurfacePoint; // model coordinates, w: packed normal of
   hachureSeeSurface(point.xyz, hachureUnpackNormal(point.w));
 //Section PatchDec
 uniform sampler2D hachureSurfacePatch; // patch of the triangle, or -1 - the first record to try
-flat in mat4 hachureFragmentToPatches; // from fragment and depth to the coordinates of their records
+uniform mat4 hachureFragmentToPatches; // from fragment and depth to the coordinates of their records
 //Section PatchImpl
   vec4 place = hachureFragmentToPatches * vec4(gl_FragCoord.xy, depth, 1.0);
   hachureSeeTriangle(texelFetch(hachureSurfacePatch, pixel, 0).r, place.xyz / place.w);

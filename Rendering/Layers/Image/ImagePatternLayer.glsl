@@ -24,8 +24,9 @@ float hachureFlatness@(HachurePlacement at, float copied)
 // Ink of the pattern where it lies so; field: where octaves blend as screens, the screen and its
 // change across the pixel; share: weight of this ink in what is drawn.
 //
-// Software OpenGL executes both sides of every branch, but a loop no more often than it must; and it
-// takes arrays and vectors apart wherever they have an index.
+// Software OpenGL executes both sides of every branch, and all of a loop before it finds at its end
+// that no fragment is left in it: hence loops that are left at their end. It takes arrays and vectors
+// apart wherever they have an index.
 float hachureInkAt@(HachurePlacement at, vec2 position, float tone, float share, out vec2 field)
 {
   vec2 uv = at.axis.zw + vec2(dot(at.axis.xy, position), dot(hachureUp@(at), position));
@@ -35,8 +36,10 @@ float hachureInkAt@(HachurePlacement at, vec2 position, float tone, float share,
   vec2 first = vec2(0.0);
   float firstInk = 0.0;
   float ink = 0.0;
-  for (float octave = step(1.0, blend); octave <= ceil(blend); octave += 1.0)
+  float octave = step(1.0, blend) - 1.0;
+  do
   {
+    octave += 1.0;
     float size = 1.0 + octave;
     vec2 texel = tileTexel(textureLod(hachureTile@, size * uv, LEVEL).rg);
     first = octave > 0.0 ? first : texel;
@@ -48,7 +51,7 @@ float hachureInkAt@(HachurePlacement at, vec2 position, float tone, float share,
     ink = patternInk(tone, hachureThreshold(column, row), field, flatness);
     //Hachure::Paper::Impl
     //Hachure::Paint::Impl
-  }
+  } while (octave < blend);
   return FADES ? mix(firstInk, ink, blend > 0.0 ? blend : 1.0) : ink;
 }
 
@@ -135,12 +138,13 @@ float hachureCoverage@(vec2 position, float tone)
   float ink = 0.0;
   vec2 field = vec2(0.0);
   HachurePatches rest = hachurePatches;
-  for (; rest.shares.x > 0.0; rest = hachureNextPatches(rest))
+  do
   {
     float share = rest.shares.x;
     ink += share *
       hachureInkAt@(hachurePlacementOf(@, rest.numbers.x), position, tone, share, field);
-  }
+    rest = hachureNextPatches(rest);
+  } while (rest.shares.x > 0.0);
   return ink;
 }
 
@@ -157,7 +161,7 @@ float hachureCoverage@(vec2 position, float tone)
   float turned = 0.0;
   vec2 axes = vec2(0.0);
   HachurePatches rest = hachurePatches;
-  for (; rest.shares.x > 0.0; rest = hachureNextPatches(rest))
+  do
   {
     float share = rest.shares.x;
     HachurePlacement at = hachurePlacementOf(@, rest.numbers.x);
@@ -169,7 +173,8 @@ float hachureCoverage@(vec2 position, float tone)
     vec2 own = at.axis.xy * (at.octaves.y > 0.5 ? 2.0 : 1.0);
     axes = sum > share ? axes : own;
     turned = max(turned, length(own - axes) / length(axes));
-  }
+    rest = hachureNextPatches(rest);
+  } while (rest.shares.x > 0.0);
   float width = max(mixed.y, 1.0e-4);
   float independent =
     mix(inkCoverage(mixed.x, exactThreshold(tone, width), width), tone, flatness);

@@ -15,23 +15,26 @@ struct vtkPatternAttributes
 {
   enum Image
   {
-    COLOR,          ///< display-referred colour; alpha: 1 - half drawn edge
-    TONE,           ///< tones of four channels
-    NORMAL,         ///< normal in view coordinates in one float, negative without data
-    PATCH,          ///< patch of the triangle, or -1 - the first record that may be its own
-    POINT,          ///< model coordinates; w: packed normal of the triangle
-    TEXTURE,        ///< texture coordinates; z: 1 where there are some
+    COLOR,   ///< display-referred colour; alpha: 1 - half drawn edge, a quarter of it without data
+    TONE,    ///< tones of four channels
+    NORMAL,  ///< normal in view coordinates in one float
+    PATCH,   ///< patch of the triangle, or -1 - the first record that may be its own
+    POINT,   ///< model coordinates; w: packed normal of the triangle
+    TEXTURE, ///< texture coordinates; z: 1 where there are some
     TEXTURE_SLOPES, ///< their change along x (xy) and y (zw)
     IMAGE_COUNT
   };
 
   vtkPatternLayerPainter::SurfaceNeed Surface = vtkPatternLayerPainter::NOTHING;
+  bool Outline = false; ///< contours are found in the images
   bool Patches = false; ///< patches are told apart
 
   bool Has(Image image) const
   {
     switch (image)
     {
+      case NORMAL:
+        return this->Outline;
       case PATCH:
         return this->Patches;
       case POINT:
@@ -60,7 +63,8 @@ struct vtkPatternAttributes
 
   bool operator==(const vtkPatternAttributes& other) const
   {
-    return this->Surface == other.Surface && this->Patches == other.Patches;
+    return this->Surface == other.Surface && this->Outline == other.Outline &&
+      this->Patches == other.Patches;
   }
 };
 

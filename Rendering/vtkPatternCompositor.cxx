@@ -149,6 +149,7 @@ void vtkPatternCompositor::Update(vtkPatternStyle* style, const vtkPatternToneCh
   this->Window = window;
   this->PatchCount = patches.GetCount();
   this->CurrentScene = scene;
+  this->Outline = style->GetOutline() && style->GetOutlineWidth() > 0.0;
   this->Layers.clear();
   std::map<vtkSmartPointer<vtkPatternLayer>, std::unique_ptr<vtkPatternLayerPainter>> kept;
   for (int i = 0; i < style->GetNumberOfLayers(); ++i)
@@ -206,6 +207,7 @@ std::string vtkPatternCompositor::GetNote() const
 vtkPatternAttributes vtkPatternCompositor::GetAttributes() const
 {
   vtkPatternAttributes needed;
+  needed.Outline = this->Outline;
   for (const Drawn& layer : this->Layers)
   {
     needed.Surface = std::max(needed.Surface, layer.Painter->GetSurfaceNeed());

@@ -79,6 +79,7 @@ private:
   bool TableResponses = false;        // they are needed
   vtkPatternLayerPainter::Scene CurrentScene;
   int PatchCount = 1;
+  bool Outline = false;
   vtkNew<vtkTextureObject> Placements; // per patch and layer
   std::vector<glm::vec4> PlacementTexels;
   vtkOpenGLRenderWindow* Window = nullptr; // of the last update

@@ -117,6 +117,9 @@ std::string vtkPatternShaderInjector::SurfaceOutputs() const
     std::string name;
     switch (images[image])
     {
+      case vtkPatternAttributes::NORMAL:
+        name = forward ? "" : "Normal"; // outlines are drawn from images
+        break;
       case vtkPatternAttributes::PATCH:
         name = "Patch";
         break;

@@ -40,17 +40,10 @@ void hachureSeeTexture(vec3 coordinates, vec4 slopes)
 
 vec3 hachureSurfaceHere = vec3(0.0); // linear colour of the surface, set by hachureCompose
 
-// Without data, normals are packed as negative numbers; see hachurePackNormal.
-bool hachureHasData(float packedNormal)
-{
-  return packedNormal >= 0.0;
-}
-
 vec3 hachureUnpackNormal(float packedNormal)
 {
-  float coded = packedNormal < 0.0 ? -1.0 - packedNormal : packedNormal;
-  float x = floor(coded / 4096.0);
-  vec2 p = vec2(x, coded - x * 4096.0) / 4095.0 * 2.0 - 1.0;
+  float x = floor(packedNormal / 4096.0);
+  vec2 p = vec2(x, packedNormal - x * 4096.0) / 4095.0 * 2.0 - 1.0;
   vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
   if (n.z < 0.0)
   {

@@ -10,24 +10,23 @@ void hachureSeeTriangle(float code, vec3 point)
 {
   int texel = 7 * max(int(-code - 1.0), 0);
   int best = texel;
-  float bestFit = -1.0e30;
+  vec3 place = vec3(0.0, 0.0, -1.0e30);
   bool more = false;
   do
   {
     vec4 corner = texelFetch(hachurePatchRecords, texel);
-    float fit = triangleFit(point, corner.xyz, texelFetch(hachurePatchRecords, texel + 1).xyz,
-      texelFetch(hachurePatchRecords, texel + 2).xyz);
-    best = fit > bestFit ? texel : best;
-    bestFit = max(fit, bestFit);
+    vec3 tried =
+      placeInTriangle(point, corner.xyz, texelFetch(hachurePatchRecords, texel + 1).xyz,
+        texelFetch(hachurePatchRecords, texel + 2).xyz);
+    bool better = tried.z > place.z;
+    best = better ? texel : best;
+    place = better ? tried : place;
     more = code < 0.0 && corner.w > 0.0;
     texel += 7;
   } while (more);
-  vec4 weights =
-    patchWeights(point, texelFetch(hachurePatchRecords, best).xyz,
-      texelFetch(hachurePatchRecords, best + 1).xyz, texelFetch(hachurePatchRecords, best + 2).xyz,
-      texelFetch(hachurePatchRecords, best + 4), texelFetch(hachurePatchRecords, best + 5),
-      texelFetch(hachurePatchRecords, best + 6));
   vec4 numbers = texelFetch(hachurePatchRecords, best + 3);
+  vec4 weights = patchWeights(place, texelFetch(hachurePatchRecords, best + 4),
+    texelFetch(hachurePatchRecords, best + 5), texelFetch(hachurePatchRecords, best + 6));
   hachureSeePatches(
     code < 0.0 ? numbers : vec4(code), code < 0.0 ? weights : vec4(1.0, 0.0, 0.0, 0.0));
 }

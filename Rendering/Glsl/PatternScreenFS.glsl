@@ -5,9 +5,9 @@
 
 in vec2 texCoord;
 
-uniform sampler2D hachureSurfaceColor;  // rgb display-referred colour, a: 1 - half the drawn edge
+uniform sampler2D hachureSurfaceColor;  // rgb display-referred colour, a: 1 - half the drawn edge, a quarter of it without data
 uniform sampler2D hachureSurfaceTone;   // tones of four channels
-uniform sampler2D hachureSurfaceNormal; // packed normal in view coordinates, negative without data
+uniform sampler2D hachureSurfaceNormal; // packed normal in view coordinates, for outlines
 uniform sampler2D hachureSurfaceDepth;  // window depth, 1 where nothing was drawn
 
 //Hachure::Compose::Dec
@@ -26,13 +26,13 @@ void main()
   {
     discard;
   }
-  bool hasData = hachureHasData(texelFetch(hachureSurfaceNormal, pixel, 0).r);
+  bool hasData = surface.a > 0.4;
   vec4 tones = hasData ? texelFetch(hachureSurfaceTone, pixel, 0) : vec4(-1.0);
   //Hachure::Surface::Impl
   vec3 color = hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), surface.rgb, tones);
   //Hachure::Outline::Impl
   // Edges that VTK drew lie over the pattern.
-  vec3 display = mix(fromLinear(color), surface.rgb, clamp(2.0 - 2.0 * surface.a, 0.0, 1.0));
+  vec3 display = mix(fromLinear(color), surface.rgb, clamp(2.0 - (hasData ? 2.0 : 8.0) * surface.a, 0.0, 1.0));
   gl_FragData[0] = vec4(display, 1.0);
   gl_FragDepth = depth;
 }

@@ -178,14 +178,13 @@ float hachurePackNormal(vec3 n)
   gl_FragData[0].rgb = hachureOwnColor;
 
 //Section Attributes
-  gl_FragData[0].a = 1.0 - 0.5 * hachureEdge;
   float hachureLeastTone =
     min(min(hachureTone.x, hachureTone.y), min(hachureTone.z, hachureTone.w));
-  float hachureCodedNormal = hachurePackNormal(hachureNormal);
+  // Where a tone's data has no number, a quarter of it.
+  gl_FragData[0].a = (1.0 - 0.5 * hachureEdge) * (hachureLeastTone < 0.0 ? 0.25 : 1.0);
   gl_FragData[1] = hachureTone;
-  // Where a tone's data has no number, the normal's code is negative.
-  gl_FragData[2] =
-    vec4(hachureLeastTone < 0.0 ? -1.0 - hachureCodedNormal : hachureCodedNormal, 0.0, 0.0, 1.0);
+//Section NormalAttribute
+  gl_FragData[IMAGE] = vec4(hachurePackNormal(hachureNormal), 0.0, 0.0, 1.0);
 //Section PatchAttribute
   gl_FragData[IMAGE] = vec4(hachurePatchVSOutput, 0.0, 0.0, 1.0);
 //Section PointAttribute

@@ -33,8 +33,9 @@ CornerPatches within(int patch)
 
 glm::vec4 weightsIn(const glm::vec4* record, glm::vec3 point)
 {
-  return glsl::patchWeights(point, glm::vec3(record[0]), glm::vec3(record[1]),
-    glm::vec3(record[2]), record[4], record[5], record[6]);
+  const glm::vec3 place =
+    glsl::placeInTriangle(point, glm::vec3(record[0]), glm::vec3(record[1]), glm::vec3(record[2]));
+  return glsl::patchWeights(place, record[4], record[5], record[6]);
 }
 
 // The record that the shader takes for a point of a triangle that ends at this vertex.
@@ -47,7 +48,7 @@ const glm::vec4* recordAt(const VertexPatches& all, std::size_t vertex, glm::vec
   {
     const glm::vec4* tried = &all.records[patchRecordTexels * record];
     const float fit =
-      glsl::triangleFit(point, glm::vec3(tried[0]), glm::vec3(tried[1]), glm::vec3(tried[2]));
+      glsl::placeInTriangle(point, glm::vec3(tried[0]), glm::vec3(tried[1]), glm::vec3(tried[2])).z;
     best = fit > bestFit ? tried : best;
     bestFit = std::max(fit, bestFit);
     more = tried[0].w > 0.0f;
@@ -202,8 +203,7 @@ TEST(TrianglePatches, SmallWeightsFadeOut)
   const float least = glsl::patchLeastWeight;
   for (const float small : { 0.0f, 0.5f * least, least, 1.01f * least, 2.0f * least })
   {
-    const glm::vec4 weights =
-      glsl::relevantWeights(glm::vec4(0.6f, 0.4f - small, small, 0.0f));
+    const glm::vec4 weights = glsl::relevantWeights(glm::vec4(0.6f, 0.4f - small, small, 0.0f));
     const float rest = std::max(small - least, 0.0f);
     EXPECT_NEAR(weights.z, rest / (1.0f - 2.0f * least - std::min(small, least)), 1e-5f);
     EXPECT_EQ(weights.w, 0.0f);

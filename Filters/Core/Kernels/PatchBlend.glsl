@@ -5,23 +5,12 @@
 // patches a point belongs to and by what weights, and the distribution of their mixed screens.
 // At most four patches, kept in the components of a vec4.
 
-// Weights of a triangle's patches at a point of it, from those at its corners. corner: the first
-// one; toSecond, toThird: how the weights of the second and third corner grow with the position.
-// The sum of the result is 1.
-vec4 patchWeights(vec3 point, vec3 corner, vec3 toSecond, vec3 toThird, vec4 atFirst, vec4 atSecond,
-  vec4 atThird)
-{
-  float second = clamp(dot(toSecond, point - corner), 0.0f, 1.0f);
-  float third = clamp(dot(toThird, point - corner), 0.0f, 1.0f - second);
-  vec4 weights = max(
-    (1.0f - second - third) * atFirst + second * atSecond + third * atThird, vec4(0.0f));
-  return weights / max(weights.x + weights.y + weights.z + weights.w, 1.0e-6f);
-}
-
-// How well a point fits a triangle, given as above: the least of its three corners' weights, less
-// its distance from the plane over the size of the triangle. Not below 0 for a point of the
-// triangle, and the larger, the farther inside.
-float triangleFit(vec3 point, vec3 corner, vec3 toSecond, vec3 toThird)
+// Where a point lies in a triangle: the weights of its second (x) and third corner (y), and how well
+// it fits (z): the least of the three corners' weights, less the distance from the plane over the size
+// of the triangle. That is not below 0 for a point of the triangle, and the larger, the farther
+// inside. corner: the first one; toSecond, toThird: how the weights of the second and third corner grow
+// with the position.
+vec3 placeInTriangle(vec3 point, vec3 corner, vec3 toSecond, vec3 toThird)
 {
   vec3 offset = point - corner;
   float second = dot(toSecond, offset);
@@ -29,7 +18,17 @@ float triangleFit(vec3 point, vec3 corner, vec3 toSecond, vec3 toThird)
   // The duals of two edges span the reciprocal of their area.
   vec3 normal = cross(toSecond, toThird);
   float distance = abs(dot(normal, offset)) / sqrt(max(length(normal), 1.0e-30f));
-  return min(min(second, third), 1.0f - second - third) - distance;
+  return vec3(second, third, min(min(second, third), 1.0f - second - third) - distance);
+}
+
+// Weights of a triangle's patches at a place in it, from those at its corners; the sum is 1.
+vec4 patchWeights(vec3 place, vec4 atFirst, vec4 atSecond, vec4 atThird)
+{
+  float second = clamp(place.x, 0.0f, 1.0f);
+  float third = clamp(place.y, 0.0f, 1.0f - second);
+  vec4 weights =
+    max((1.0f - second - third) * atFirst + second * atSecond + third * atThird, vec4(0.0f));
+  return weights / max(weights.x + weights.y + weights.z + weights.w, 1.0e-6f);
 }
 
 // Weights up to this one do not matter: every patch that is drawn costs as much as one alone.

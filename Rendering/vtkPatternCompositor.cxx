@@ -117,14 +117,16 @@ std::string ToneExpression(vtkPatternTone* tone, int channel)
   return channel < 0 ? "hachureCurve@.z" : "tones[" + std::to_string(channel) + "]";
 }
 
-// The tone with its curve, where it has one: software OpenGL takes long to raise to powers.
+// The tone with as much of a curve as it has: software OpenGL takes long to raise to powers.
 std::string CurvedTone(vtkPatternTone* tone, int channel)
 {
   const std::string plain = ToneExpression(tone, channel);
-  const bool straight =
-    tone->GetGamma() == 1.0 && !tone->GetInvert() && tone->GetRemap() == vtkPatternTone::NONE;
-  return straight ? plain
-                  : "toneCurve(" + plain + ", hachureCurve@.x, hachureCurve@.y, hachureRemap@)";
+  const std::string power = plain + ", hachureCurve@.x, hachureCurve@.y";
+  if (tone->GetRemap() != vtkPatternTone::NONE)
+  {
+    return "toneCurve(" + power + ", hachureRemap@)";
+  }
+  return tone->GetGamma() == 1.0 && !tone->GetInvert() ? plain : "tonePower(" + power + ")";
 }
 
 glm::vec3 Remap(vtkPatternTone* tone)
@@ -243,6 +245,7 @@ void vtkPatternCompositor::UpdateText(bool plainPaper)
   const vtkPatternAttributes needed = this->GetAttributes();
   vtkShaderProgram::Substitute(text, "//Hachure::Patches::Dec",
     needed.Patches ? std::string(PatternPatches) + PatternPatchRecords : std::string());
+  vtkShaderProgram::Substitute(text, "LAYERS", std::to_string(this->Layers.size()));
   vtkShaderProgram::Substitute(text, "PAPER", plainPaper ? "hachurePaper" : "hachureSurfaceHere");
   vtkShaderProgram::Substitute(text, "//Hachure::Layers::Dec", declarations);
   vtkShaderProgram::Substitute(text, "  //Hachure::Layers::Impl", calls);
@@ -342,7 +345,7 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
   }
   if (this->GetAttributes().Patches)
   {
-    program->SetUniformi("hachurePlacements", this->Placements->GetTextureUnit());
+    program->SetUniformi("hachurePlacements", this->Placements.Texture->GetTextureUnit());
     this->SetPatchUniforms(program, viewport);
   }
 }
@@ -388,18 +391,11 @@ void vtkPatternCompositor::UploadPlacements(const std::vector<hachure::PatternFr
       row += drawn.Painter->GetTableRows().size() / tableTones;
     }
   }
-  if (texels == this->PlacementTexels && this->Placements->GetHandle())
+  if (texels != this->PlacementTexels || !this->Placements.IsUsable())
   {
-    return;
+    this->PlacementTexels = texels;
+    this->Placements.Upload(this->Window, texels, 4);
   }
-  this->PlacementTexels = texels;
-  this->Placements->ReleaseGraphicsResources(this->Window);
-  this->Placements->SetContext(this->Window);
-  this->Placements->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->Placements->SetMagnificationFilter(vtkTextureObject::Nearest);
-  const auto rows = static_cast<unsigned int>(this->PatchCount);
-  this->Placements->Create2DFromRaw(static_cast<unsigned int>(texels.size()) / rows, rows, 4,
-    VTK_FLOAT, this->PlacementTexels.data());
 }
 
 void vtkPatternCompositor::SetSurfaceUniforms(
@@ -431,7 +427,7 @@ void vtkPatternCompositor::Activate(const std::vector<hachure::PatternFrame>& fr
   if (this->GetAttributes().Patches)
   {
     this->UploadPlacements(frames);
-    this->Placements->Activate();
+    this->Placements.Texture->Activate();
   }
   for (const Drawn& layer : this->Layers)
   {
@@ -448,7 +444,7 @@ void vtkPatternCompositor::Deactivate()
   }
   if (this->GetAttributes().Patches)
   {
-    this->Placements->Deactivate();
+    this->Placements.Texture->Deactivate();
   }
   for (const Drawn& layer : this->Layers)
   {
@@ -460,7 +456,7 @@ void vtkPatternCompositor::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Tables->ReleaseGraphicsResources(window);
   this->Responses->ReleaseGraphicsResources(window);
-  this->Placements->ReleaseGraphicsResources(window);
+  this->Placements.Release(window);
   for (auto& painter : this->Painters)
   {
     if (painter.second)

@@ -11,6 +11,7 @@
 #include "vtkNew.h"
 #include "vtkPatternAttributes.h"
 #include "vtkPatternLayerPainter.h"
+#include "vtkPatternNumberBuffer.h"
 #include "vtkPatternToneChannels.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
@@ -80,7 +81,7 @@ private:
   vtkPatternLayerPainter::Scene CurrentScene;
   int PatchCount = 1;
   bool Outline = false;
-  vtkNew<vtkTextureObject> Placements; // per patch and layer
+  vtkPatternNumberBuffer Placements; // per patch and layer
   std::vector<glm::vec4> PlacementTexels;
   vtkOpenGLRenderWindow* Window = nullptr; // of the last update
 };

@@ -53,7 +53,7 @@ struct vtkPatternMapper::WindowPart
   vtkPatternCompositor Compositor;
   std::shared_ptr<vtkPatternWindowResources> Resources;
   vtkPatternScreenPass ScreenPass;
-  vtkPatternNumberBuffer PatchRecords;
+  vtkPatternPatchRecordBuffers PatchRecords;
   unsigned long PatchVersion = 0; // of the records in the buffer
 };
 
@@ -492,7 +492,7 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
     this->UploadPatchRecords(drawing);
     const vtkPatternScreenPass::Scene scene = { drawing.Renderer, drawing.Actor, drawing.Window,
       this->Style, drawing.Viewport, drawing.Rectangle, drawing.Track->Frames, this->GetNanColor(),
-      drawing.Part.PatchRecords.Texture };
+      drawing.Part.PatchRecords.Shapes.Texture, drawing.Part.PatchRecords.Weights.Texture };
     if (!drawing.Part.ScreenPass.Draw(scene, resources, drawing.Part.Compositor))
     {
       this->Report(
@@ -518,7 +518,7 @@ void vtkPatternMapper::UploadPatchRecords(Drawing& drawing)
   const bool patches = drawing.Part.Compositor.GetAttributes().Patches;
   if (patches && drawing.Part.PatchVersion != records.GetVersion())
   {
-    drawing.Part.PatchRecords.Upload(drawing.Window, records.All(), 4);
+    drawing.Part.PatchRecords.Upload(drawing.Window, records.All());
     drawing.Part.PatchVersion = records.GetVersion();
   }
 }

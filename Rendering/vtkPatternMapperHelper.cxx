@@ -13,7 +13,6 @@
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPatternMapper.h"
-#include "vtkPatternPatchRecords.h"
 #include "vtkPatternPatches.h"
 #include "vtkPatternTone.h"
 #include "vtkPointData.h"
@@ -111,9 +110,10 @@ vtkPatternMapperHelper::~vtkPatternMapperHelper()
 
 std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> vtkPatternMapperHelper::NumberBuffers()
 {
-  std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> buffers = {
-    { "hachurePatchOfVertex", &this->PatchOfVertex }, { "hachurePatchRecords", &this->PatchRecords }
-  };
+  std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> buffers = { { "hachurePatchOfVertex",
+                                                                             &this->PatchOfVertex },
+    { "hachurePatchRecords", &this->PatchRecords.Shapes },
+    { "hachurePatchWeights", &this->PatchRecords.Weights } };
   for (std::size_t i = 0; i < this->CellTones.size(); ++i)
   {
     buffers.emplace_back("hachureCellTone" + std::to_string(i), &this->CellTones[i]);
@@ -125,10 +125,10 @@ void vtkPatternMapperHelper::RenderPieceStart(vtkRenderer* renderer, vtkActor* a
 {
   this->Superclass::RenderPieceStart(renderer, actor);
   const bool forward = this->GetMapper()->GetDrawStage() == vtkPatternMapper::DrawStage::Stock;
-  if (forward && !this->WaitingRecords.empty())
+  if (forward && !this->WaitingRecords.shapes.empty())
   {
     this->PatchRecords.Upload(
-      vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), this->WaitingRecords, 4);
+      vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), this->WaitingRecords);
     this->WaitingRecords = {};
   }
   for (const auto& named : this->NumberBuffers())
@@ -197,15 +197,16 @@ void vtkPatternMapperHelper::UploadPatches(vtkOpenGLRenderWindow* window)
   if (this->GetMapper()->GetPatches().IsActive())
   {
     patches = hachure::patchesOfVertices(this->Patches, this->VertexCount);
-    if (patches.records.empty())
+    if (patches.records.shapes.empty())
     {
-      patches.records.resize(hachure::patchRecordTexels); // samplers must have a texture
+      patches.records.shapes.resize(hachure::recordShapes); // samplers must have a texture
+      patches.records.weights.resize(hachure::recordWeights);
     }
   }
   this->Patches = {};
   this->PatchOfVertex.Upload(window, patches.vertices, 1);
   this->GetMapper()->GetPatchRecords().Store(this, patches.records);
-  this->PatchRecords.Upload(window, std::vector<glm::vec4>(), 4);
+  this->PatchRecords.Upload(window, {});
   this->WaitingRecords = std::move(patches.records);
 }
 

@@ -12,6 +12,7 @@
 #include "TrianglePatches.h"
 #include "vtkPatternCompositeMapper.h"
 #include "vtkPatternNumberBuffer.h"
+#include "vtkPatternPatchRecords.h"
 #include "vtkPatternToneChannels.h"
 #include "vtkSmartPointer.h"
 
@@ -65,8 +66,8 @@ private:
   hachure::TrianglePatches Patches; // while buffers are built
   std::size_t VertexCount = 0;      // of these
   vtkPatternNumberBuffer PatchOfVertex;
-  vtkPatternNumberBuffer PatchRecords;   // for translucent surfaces alone
-  std::vector<glm::vec4> WaitingRecords; // not uploaded for them yet
+  vtkPatternPatchRecordBuffers PatchRecords; // for translucent surfaces alone
+  hachure::PatchRecords WaitingRecords;      // not uploaded for them yet
   std::set<vtkDataArray*> AppendedPoints;
 };
 

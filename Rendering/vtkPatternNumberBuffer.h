@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Floating point numbers that a shader reads one by one, or in vectors.
+ * Numbers that a shader reads one by one, or in vectors: floating point ones, or fractions in
+ * bytes.
  */
 #ifndef vtkPatternNumberBuffer_h
 #define vtkPatternNumberBuffer_h
@@ -19,7 +20,7 @@ struct vtkPatternNumberBuffer
   vtkSmartPointer<vtkTextureObject> Texture; ///< null while there are no numbers
 
   /// components: numbers of one texel.
-  template <class Value>
+  template <class Value, class Number = float>
   void Upload(vtkOpenGLRenderWindow* window, const std::vector<Value>& values, int components)
   {
     this->Texture = nullptr;
@@ -32,10 +33,10 @@ struct vtkPatternNumberBuffer
     this->Buffer->Upload(values, vtkOpenGLBufferObject::TextureBuffer);
     this->Texture = vtkSmartPointer<vtkTextureObject>::New();
     this->Texture->SetContext(window);
-    const std::size_t numbers = values.size() * sizeof(Value) / sizeof(float);
+    const std::size_t numbers = values.size() * sizeof(Value) / sizeof(Number);
     this->Texture->CreateTextureBuffer(
       static_cast<unsigned int>(numbers / static_cast<std::size_t>(components)), components,
-      VTK_FLOAT, this->Buffer);
+      sizeof(Number) == 1 ? VTK_UNSIGNED_CHAR : VTK_FLOAT, this->Buffer);
   }
 
   bool IsUsable() const { return this->Texture && this->Texture->GetHandle(); }

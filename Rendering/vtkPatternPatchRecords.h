@@ -2,15 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * The records of triangles on which patches overlap, of all helpers that draw one mapper's blocks,
- * in one list for the screen pass.
+ * in one list for the screen pass; and how shaders read them.
  */
 #ifndef vtkPatternPatchRecords_h
 #define vtkPatternPatchRecords_h
 
 #include "TrianglePatches.h"
+#include "vtkPatternNumberBuffer.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
+
+struct vtkPatternPatchRecordBuffers
+{
+  vtkPatternNumberBuffer Shapes;
+  vtkPatternNumberBuffer Weights;
+
+  void Upload(vtkOpenGLRenderWindow* window, const hachure::PatchRecords& records)
+  {
+    this->Shapes.Upload(window, records.shapes, 4);
+    this->Weights.Upload<glm::u8vec4, std::uint8_t>(window, records.weights, 4);
+  }
+  void Release(vtkWindow* window)
+  {
+    this->Shapes.Release(window);
+    this->Weights.Release(window);
+  }
+};
 
 class vtkPatternPatchRecords
 {
@@ -18,7 +37,7 @@ public:
   using Owner = const void*;
 
   /// Replaces the records of one helper.
-  void Store(Owner owner, std::vector<glm::vec4> records)
+  void Store(Owner owner, hachure::PatchRecords records)
   {
     this->Find(owner).Records = std::move(records);
     ++this->Version;
@@ -48,12 +67,14 @@ public:
       [this](const Part& part) { return part.DrawnBase != this->CurrentBase(part.Owner); });
   }
 
-  std::vector<glm::vec4> All() const
+  hachure::PatchRecords All() const
   {
-    std::vector<glm::vec4> all;
+    hachure::PatchRecords all;
     for (const Part& part : this->Parts)
     {
-      all.insert(all.end(), part.Records.begin(), part.Records.end());
+      const hachure::PatchRecords& own = part.Records;
+      all.shapes.insert(all.shapes.end(), own.shapes.begin(), own.shapes.end());
+      all.weights.insert(all.weights.end(), own.weights.begin(), own.weights.end());
     }
     return all;
   }
@@ -64,7 +85,7 @@ private:
   struct Part
   {
     vtkPatternPatchRecords::Owner Owner;
-    std::vector<glm::vec4> Records;
+    hachure::PatchRecords Records;
     std::size_t DrawnBase = 0;
   };
 
@@ -90,9 +111,9 @@ private:
       {
         break;
       }
-      texels += part.Records.size();
+      texels += part.Records.shapes.size();
     }
-    return texels / hachure::patchRecordTexels;
+    return texels / hachure::recordShapes;
   }
 
   std::vector<Part> Parts; // in the order in which helpers came

@@ -159,6 +159,7 @@ bool vtkPatternScreenPass::Draw(
     { "hachureSurfaceNormal", resources.GetImage(vtkPatternAttributes::NORMAL) },
     { "hachureSurfaceDepth", resources.SurfaceDepth },
     { "hachurePatchRecords", scene.PatchRecords },
+    { "hachurePatchWeights", scene.PatchWeights },
     { "hachureSurfacePatch", resources.GetImage(vtkPatternAttributes::PATCH) },
     { "hachureSurfacePoint", resources.GetImage(vtkPatternAttributes::POINT) },
     { "hachureSurfaceTexture", resources.GetImage(vtkPatternAttributes::TEXTURE) },

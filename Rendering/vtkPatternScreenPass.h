@@ -42,7 +42,8 @@ public:
     std::array<int, 4> Rectangle;                     // x, y, width, height in the framebuffer
     const std::vector<hachure::PatternFrame>& Frames; // per patch
     std::array<double, 3> NanColor;
-    vtkTextureObject* PatchRecords; // null where patches do not overlap
+    vtkTextureObject* PatchRecords; // null where there are no patches
+    vtkTextureObject* PatchWeights; // of the records
   };
 
   /// False where the shader of the style does not compile.

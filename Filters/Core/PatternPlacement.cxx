@@ -42,11 +42,13 @@ PatternPlacement placePattern(const PatternFrame& frame, const PlacementOptions&
   const PatternFrame placed = follows ? frame : PatternFrame();
   const auto start = static_cast<float>(table.lodStart);
   const auto end = static_cast<float>(table.lodEnd);
-  const float scale = glsl::wrapScale(static_cast<float>(glm::length(placed.u)));
+  const double length = glm::length(placed.u);
+  const float scale = glsl::wrapScale(static_cast<float>(length));
 
   PatternPlacement placement;
-  const double angle = std::atan2(placed.u.y, placed.u.x) + options.angle;
-  const glm::dvec2 direction(std::cos(angle), std::sin(angle));
+  const glm::dvec2 upright = length > 0.0 ? placed.u / length : glm::dvec2(1.0, 0.0);
+  const glm::dvec2 direction =
+    complexProduct(upright, { std::cos(options.angle), std::sin(options.angle) });
   placement.right = tileCoordinate(direction, scale * options.tileSize.x, placed.origin);
   placement.up =
     tileCoordinate({ -direction.y, direction.x }, scale * options.tileSize.y, placed.origin);

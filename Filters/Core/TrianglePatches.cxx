@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TrianglePatches.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -11,6 +12,7 @@ namespace hachure
 namespace
 {
 constexpr std::size_t slots = 4;
+const glm::u8vec4 onlyFirst(255, 0, 0, 0);
 
 struct Share
 {
@@ -54,7 +56,7 @@ std::vector<Share> sharesOf(const std::array<CornerPatches, 3>& corners)
 }
 
 // Weights of the kept patches at a corner.
-glm::vec4 weightsAt(const CornerPatches& corner, const std::vector<Share>& kept)
+glm::u8vec4 weightsAt(const CornerPatches& corner, const std::vector<Share>& kept)
 {
   glm::vec4 weights(0.0f);
   float sum = 0.0f;
@@ -69,7 +71,8 @@ glm::vec4 weightsAt(const CornerPatches& corner, const std::vector<Share>& kept)
       }
     }
   }
-  return sum > 0.0f ? weights / sum : glm::vec4(1.0f, 0.0f, 0.0f, 0.0f);
+  constexpr float whole = 255.0f;
+  return sum > 0.0f ? glm::u8vec4(glm::round(whole / sum * weights)) : onlyFirst;
 }
 
 // The weight of a corner is the dot product with the dual of its edge. False without area.
@@ -152,7 +155,7 @@ void appendTriangle(TrianglePatches& all, std::uint32_t lastVertex, const Triang
     appendTriangle(all, lastVertex, points, kept.empty() ? 0 : kept[0].patch);
     return;
   }
-  if (!appendShape(points, all.overlapRecords))
+  if (!appendShape(points, all.overlapRecords.shapes))
   {
     return;
   }
@@ -163,10 +166,10 @@ void appendTriangle(TrianglePatches& all, std::uint32_t lastVertex, const Triang
     const int patch = kept[slot < kept.size() ? slot : 0].patch;
     numbers[static_cast<int>(slot)] = static_cast<float>(drawnPatch(patch));
   }
-  all.overlapRecords.push_back(numbers);
+  all.overlapRecords.shapes.push_back(numbers);
   for (const CornerPatches& corner : corners)
   {
-    all.overlapRecords.push_back(weightsAt(corner, kept));
+    all.overlapRecords.weights.push_back(weightsAt(corner, kept));
   }
 }
 
@@ -182,34 +185,37 @@ VertexPatches patchesOfVertices(const TrianglePatches& triangles, std::size_t ve
         ? -1.0f - static_cast<float>(ends[vertex])
         : static_cast<float>(std::max(common[vertex], 0)));
   }
-  result.records.resize(patchRecordTexels * ends.back());
+  result.records.shapes.resize(recordShapes * ends.back());
+  result.records.weights.resize(recordWeights * ends.back());
   std::vector<std::size_t> next(ends.begin(), ends.end() - 1);
-  const auto place = [&](std::uint32_t vertex, const glm::vec4* record)
+  const auto place = [&](std::uint32_t vertex, const glm::vec4* shape, const glm::u8vec4* weights)
   {
-    glm::vec4* first = &result.records[patchRecordTexels * next[vertex]++];
-    std::copy_n(record, patchRecordTexels, first);
+    const std::size_t record = next[vertex]++;
+    glm::vec4* first = &result.records.shapes[recordShapes * record];
+    std::copy_n(shape, recordShapes, first);
     first->w = next[vertex] < ends[vertex + 1] ? 1.0f : 0.0f;
+    std::copy_n(weights, recordWeights, &result.records.weights[recordWeights * record]);
   };
   for (std::size_t i = 0; i < triangles.overlapLastVertex.size(); ++i)
   {
-    place(triangles.overlapLastVertex[i], &triangles.overlapRecords[patchRecordTexels * i]);
+    place(triangles.overlapLastVertex[i], &triangles.overlapRecords.shapes[recordShapes * i],
+      &triangles.overlapRecords.weights[recordWeights * i]);
   }
-  const glm::vec4 first(1.0f, 0.0f, 0.0f, 0.0f);
-  std::vector<glm::vec4> record;
+  const glm::u8vec4 whole[] = { onlyFirst, onlyFirst, onlyFirst };
+  std::vector<glm::vec4> shape;
   for (const TrianglePatches::Plain& triangle : triangles.plain)
   {
     if (common[triangle.lastVertex] == several)
     {
-      record.clear();
+      shape.clear();
       const TriangleCorners corners = { glm::dvec3(triangle.corners[0]),
         glm::dvec3(triangle.corners[1]), glm::dvec3(triangle.corners[2]) };
-      if (!appendShape(corners, record))
+      if (!appendShape(corners, shape))
       {
-        record.assign(3, glm::vec4(0.0f)); // draws nothing
+        shape.assign(3, glm::vec4(0.0f)); // draws nothing
       }
-      record.emplace_back(static_cast<float>(triangle.patch));
-      record.insert(record.end(), 3, first);
-      place(triangle.lastVertex, record.data());
+      shape.emplace_back(static_cast<float>(triangle.patch));
+      place(triangle.lastVertex, shape.data(), whole);
     }
   }
   return result;

@@ -5,6 +5,7 @@
 
 #include "Span.h"
 
+#include <glm/gtc/type_precision.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -33,6 +34,21 @@ struct CornerPatches
   glm::vec4 weights{ 0.0f };
 };
 
+// What a shader knows of triangles. Small, since every pixel may show a triangle of its own: 76
+// bytes.
+struct PatchRecords
+{
+  // (first corner, 1 where another record of the vertex follows), (gradient of the second corner's
+  // weight, 0), (gradient of the third corner's, 0), the four patches. Patches ascend; unused ones
+  // repeat the first with weight 0.
+  std::vector<glm::vec4> shapes;
+  // The four patches' weights at the three corners; 255 is 1.
+  std::vector<glm::u8vec4> weights;
+};
+
+constexpr std::size_t recordShapes = 4;
+constexpr std::size_t recordWeights = 3;
+
 // Triangles in the order in which they are drawn. Those without area draw nothing and are left out.
 struct TrianglePatches
 {
@@ -43,9 +59,9 @@ struct TrianglePatches
     std::array<glm::vec3, 3> corners;
   };
   std::vector<Plain> plain; // lie within one patch
-  std::vector<std::uint32_t>
-    overlapLastVertex; // those on which patches overlap, with a record each
-  std::vector<glm::vec4> overlapRecords;
+  // Those on which patches overlap, with a record each.
+  std::vector<std::uint32_t> overlapLastVertex;
+  PatchRecords overlapRecords;
 };
 
 using TriangleCorners = std::array<glm::dvec3, 3>;
@@ -63,13 +79,8 @@ struct VertexPatches
 {
   // Per vertex: the patch, or -1 - (number of its first record); 0 where it ends no triangle.
   std::vector<float> vertices;
-  // Per record: (first corner, 1 where another record of the vertex follows), (gradient of the
-  // second corner's weight, 0), (gradient of the third corner's, 0), the four patches, then their
-  // weights at the three corners. Patches ascend; unused ones repeat the first with weight 0.
-  std::vector<glm::vec4> records;
+  PatchRecords records;
 };
-
-constexpr std::size_t patchRecordTexels = 7;
 
 VertexPatches patchesOfVertices(const TrianglePatches& triangles, std::size_t vertexCount);
 

@@ -1,6 +1,7 @@
 // Which patches overlap on a triangle, and by what weights; see VertexPatches in TrianglePatches.h.
 
-uniform samplerBuffer hachurePatchRecords; // 7 texels for each triangle on which patches overlap
+uniform samplerBuffer hachurePatchRecords; // shapes and patches of triangles, 4 texels each
+uniform samplerBuffer hachurePatchWeights; // at their corners, 3 texels each
 uniform vec3 hachurePatchOrigin; // of their coordinates, in the model's
 
 // code: of the triangle's last vertex; point: model coordinates about the records' origin. A patch
@@ -8,25 +9,25 @@ uniform vec3 hachurePatchOrigin; // of their coordinates, in the model's
 // both sides of every branch.
 void hachureSeeTriangle(float code, vec3 point)
 {
-  int texel = 7 * max(int(-code - 1.0), 0);
-  int best = texel;
+  int record = max(int(-code - 1.0), 0);
+  int best = record;
   vec3 place = vec3(0.0, 0.0, -1.0e30);
   bool more = false;
   do
   {
-    vec4 corner = texelFetch(hachurePatchRecords, texel);
+    vec4 corner = texelFetch(hachurePatchRecords, 4 * record);
     vec3 tried =
-      placeInTriangle(point, corner.xyz, texelFetch(hachurePatchRecords, texel + 1).xyz,
-        texelFetch(hachurePatchRecords, texel + 2).xyz);
+      placeInTriangle(point, corner.xyz, texelFetch(hachurePatchRecords, 4 * record + 1).xyz,
+        texelFetch(hachurePatchRecords, 4 * record + 2).xyz);
     bool better = tried.z > place.z;
-    best = better ? texel : best;
+    best = better ? record : best;
     place = better ? tried : place;
     more = code < 0.0 && corner.w > 0.0;
-    texel += 7;
+    ++record;
   } while (more);
-  vec4 numbers = texelFetch(hachurePatchRecords, best + 3);
-  vec4 weights = patchWeights(place, texelFetch(hachurePatchRecords, best + 4),
-    texelFetch(hachurePatchRecords, best + 5), texelFetch(hachurePatchRecords, best + 6));
+  vec4 numbers = texelFetch(hachurePatchRecords, 4 * best + 3);
+  vec4 weights = patchWeights(place, texelFetch(hachurePatchWeights, 3 * best),
+    texelFetch(hachurePatchWeights, 3 * best + 1), texelFetch(hachurePatchWeights, 3 * best + 2));
   hachureSeePatches(
     code < 0.0 ? numbers : vec4(code), code < 0.0 ? weights : vec4(1.0, 0.0, 0.0, 0.0));
 }

@@ -1,6 +1,7 @@
-// Where the patterns of several patches lie, which overlap at this point of the surface.
+// Where the patterns of several patches lie, which overlap at this point of the surface. LAYERS is the
+// number of layers.
 
-uniform sampler2D hachurePlacements; // patches up, two texels for every layer across
+uniform samplerBuffer hachurePlacements; // of every layer on the first patch, on the second, ...: two texels each
 
 // Up to four patches, those with a share first.
 struct HachurePatches
@@ -38,7 +39,7 @@ void hachureSeePatches(vec4 numbers, vec4 weights)
 
 HachurePlacement hachurePlacementOf(int layer, float patchNumber)
 {
-  ivec2 texel = ivec2(2 * layer, int(patchNumber));
-  return HachurePlacement(texelFetch(hachurePlacements, texel, 0),
-    texelFetch(hachurePlacements, texel + ivec2(1, 0), 0));
+  int texel = 2 * (LAYERS * int(patchNumber) + layer);
+  return HachurePlacement(
+    texelFetch(hachurePlacements, texel), texelFetch(hachurePlacements, texel + 1));
 }

@@ -31,11 +31,14 @@ CornerPatches within(int patch)
   return corner({ patch, -1, -1, -1 }, glm::vec4(1, 0, 0, 0));
 }
 
-glm::vec4 weightsIn(const glm::vec4* record, glm::vec3 point)
+// In the first record.
+glm::vec4 weightsAt(const PatchRecords& all, glm::vec3 point)
 {
+  const auto& shape = all.shapes;
   const glm::vec3 place =
-    glsl::placeInTriangle(point, glm::vec3(record[0]), glm::vec3(record[1]), glm::vec3(record[2]));
-  return glsl::patchWeights(place, record[4], record[5], record[6]);
+    glsl::placeInTriangle(point, glm::vec3(shape[0]), glm::vec3(shape[1]), glm::vec3(shape[2]));
+  const auto corner = [&](std::size_t i) { return glm::vec4(all.weights[i]) / 255.0f; };
+  return glsl::patchWeights(place, corner(0), corner(1), corner(2));
 }
 
 // The record that the shader takes for a point of a triangle that ends at this vertex.
@@ -46,7 +49,7 @@ const glm::vec4* recordAt(const VertexPatches& all, std::size_t vertex, glm::vec
   float bestFit = -1e30f;
   for (bool more = true; more; ++record)
   {
-    const glm::vec4* tried = &all.records[patchRecordTexels * record];
+    const glm::vec4* tried = &all.records.shapes[recordShapes * record];
     const float fit =
       glsl::placeInTriangle(point, glm::vec3(tried[0]), glm::vec3(tried[1]), glm::vec3(tried[2])).z;
     best = fit > bestFit ? tried : best;
@@ -71,7 +74,7 @@ TEST(TrianglePatches, VerticesOfOnePatchTakeNoRecord)
   appendTriangle(all, 1, beside, { within(3), within(3), within(3) });
   const VertexPatches found = patchesOfVertices(all, 4);
   EXPECT_EQ(found.vertices, (std::vector<float>{ 0.0f, 3.0f, 7.0f, 0.0f }));
-  EXPECT_TRUE(found.records.empty());
+  EXPECT_TRUE(found.records.shapes.empty());
 }
 
 TEST(TrianglePatches, WeightsRunLinearlyBetweenTheCorners)
@@ -83,17 +86,17 @@ TEST(TrianglePatches, WeightsRunLinearlyBetweenTheCorners)
   const VertexPatches found = patchesOfVertices(all, 1);
   ASSERT_EQ(found.vertices.size(), 1u);
   EXPECT_EQ(found.vertices[0], -1.0f);
-  ASSERT_EQ(found.records.size(), patchRecordTexels);
-  EXPECT_EQ(found.records[3], glm::vec4(5, 9, 5, 5)); // by number
+  ASSERT_EQ(found.records.shapes.size(), recordShapes);
+  EXPECT_EQ(found.records.shapes[3], glm::vec4(5, 9, 5, 5)); // by number
   for (int i = 0; i <= 10; ++i)
   {
     for (int j = 0; i + j <= 10; ++j)
     {
       const double b = i / 10.0;
       const double c = j / 10.0;
-      const glm::vec4 weights = weightsIn(found.records.data(), pointOf(tilted, b, c));
-      EXPECT_NEAR(weights.y, (1.0 - b - c) + 0.5 * b + 0.2 * c, 1e-5);
-      EXPECT_NEAR(weights.x, 0.5 * b + 0.8 * c, 1e-5);
+      const glm::vec4 weights = weightsAt(found.records, pointOf(tilted, b, c));
+      EXPECT_NEAR(weights.y, (1.0 - b - c) + 0.5 * b + 0.2 * c, 0.003);
+      EXPECT_NEAR(weights.x, 0.5 * b + 0.8 * c, 0.003);
     }
   }
 }
@@ -106,11 +109,11 @@ TEST(TrianglePatches, TheHeaviestFourOfManyAreKept)
       corner({ 4, 0, 1, -1 }, glm::vec4(0.5, 0.3, 0.2, 0)),
       corner({ 2, 0, -1, -1 }, glm::vec4(0.5, 0.5, 0, 0)) });
   const VertexPatches found = patchesOfVertices(all, 1);
-  EXPECT_EQ(found.records[3], glm::vec4(0, 1, 2, 4)); // 1.2, .5, .7, .5; 3 has .1
-  for (int i = 4; i < 7; ++i)
+  EXPECT_EQ(found.records.shapes[3], glm::vec4(0, 1, 2, 4)); // 1.2, .5, .7, .5; 3 has .1
+  ASSERT_EQ(found.records.weights.size(), recordWeights);
+  for (const glm::ivec4 weights : found.records.weights)
   {
-    const glm::vec4 weights = found.records[static_cast<std::size_t>(i)];
-    EXPECT_NEAR(weights.x + weights.y + weights.z + weights.w, 1.0f, 1e-6f);
+    EXPECT_NEAR(weights.x + weights.y + weights.z + weights.w, 255, 2);
   }
 }
 
@@ -126,7 +129,7 @@ TEST(TrianglePatches, PointsFindTheirTriangleAmongThoseOfAVertex)
   appendTriangle(all, 3, tilted, 8);
   const VertexPatches found = patchesOfVertices(all, 6);
   EXPECT_EQ(found.vertices[3], 8.0f);
-  ASSERT_EQ(found.records.size(), 3 * patchRecordTexels);
+  ASSERT_EQ(found.records.shapes.size(), 3 * recordShapes);
   for (int i = 1; i < 10; ++i)
   {
     for (int j = 1; i + j < 10; ++j)

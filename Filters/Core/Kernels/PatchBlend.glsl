@@ -32,7 +32,7 @@ vec4 patchWeights(vec3 place, vec4 atFirst, vec4 atSecond, vec4 atThird)
 }
 
 // Weights up to this one do not matter: every patch that is drawn costs as much as one alone.
-const float patchLeastWeight = 1.0f / 16.0f;
+const float patchLeastWeight = 0.1f;
 
 // Weights less what does not matter, so that none begins with a jump; their sum is 1.
 vec4 relevantWeights(vec4 weights)

@@ -29,9 +29,14 @@ float smoothRemap(float tone, float low, float high)
 }
 
 // invert: 1 exchanges light and dark.
+float tonePower(float tone, float gamma, float invert)
+{
+  return pow(max(mix(tone, 1.0f - tone, invert), 0.0f), gamma);
+}
+
 float toneCurve(float tone, float gamma, float invert, vec3 remap)
 {
-  float curved = pow(max(mix(tone, 1.0f - tone, invert), 0.0f), gamma);
+  float curved = tonePower(tone, gamma, invert);
   if (remap.x == remapSteps)
   {
     return toonSteps(curved, remap.y);

@@ -85,9 +85,10 @@ std::uint16_t Fraction(float value)
 // Fractions of 16 bits are as exact as a screen needs, and software OpenGL filters them twice as
 // fast as floating point numbers.
 void UploadScreens(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
-  const std::vector<hachure::PatternTile>& tiles)
+  const std::vector<hachure::PatternTile>& tiles, bool betweenLevels)
 {
-  texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
+  texture->SetMinificationFilter(
+    betweenLevels ? vtkTextureObject::LinearMipmapLinear : vtkTextureObject::LinearMipmapNearest);
   texture->SetMagnificationFilter(vtkTextureObject::Linear);
   std::vector<std::vector<std::uint16_t>> levels;
   for (const hachure::PatternTile& tile : tiles)
@@ -388,14 +389,17 @@ bool vtkImagePatternLayerPainter::BlendsScreens() const
 
 void vtkImagePatternLayerPainter::Upload(vtkOpenGLRenderWindow* window)
 {
-  if (!this->Texture->GetHandle() || this->UploadedTile != this->Tile)
+  const bool betweenLevels = this->OnSurface();
+  if (!this->Texture->GetHandle() || this->UploadedTile != this->Tile ||
+    this->UploadedBetweenLevels != betweenLevels)
   {
-    UploadScreens(window, this->Texture, *this->Tile);
+    UploadScreens(window, this->Texture, *this->Tile, betweenLevels);
+    this->UploadedBetweenLevels = betweenLevels;
     this->UploadedTile = this->Tile;
   }
   if (this->Paper && (!this->PaperTexture->GetHandle() || this->UploadedPaper != this->Paper))
   {
-    UploadScreens(window, this->PaperTexture, *this->Paper);
+    UploadScreens(window, this->PaperTexture, *this->Paper, true);
     this->UploadedPaper = this->Paper;
   }
   if (this->Dabs && (!this->DabsOnTop->GetHandle() || this->UploadedDabs != this->Dabs))

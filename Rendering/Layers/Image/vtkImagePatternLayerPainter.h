@@ -74,6 +74,7 @@ private:
   Scene CurrentScene;
   vtkNew<vtkTextureObject> Texture;
   Mips UploadedTile;
+  bool UploadedBetweenLevels = false; // the texture filters between levels
   hachure::PaintMips Dabs; // of paint, else null
   vtkNew<vtkTextureObject> DabsOnTop;
   vtkNew<vtkTextureObject> DabsBelow;

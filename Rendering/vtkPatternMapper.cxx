@@ -500,6 +500,7 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
     }
     if (drawing.Measures)
     {
+      drawing.Track->Rectangle = drawing.Rectangle;
       drawing.Track->Visibility.MeasureOwn(drawing.Window, drawing.Track->Samples, modelToClip,
         drawing.Viewport.Drawn, resources.SurfaceDepth);
     }

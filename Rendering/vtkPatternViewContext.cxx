@@ -350,19 +350,25 @@ void vtkPatternViewContext::EndFrame()
   {
     return;
   }
-  vtkTextureObject* depth = nullptr;
+  // The part of the picture in which samples are looked for.
+  std::array<int, 4> area = { 0, 0, 0, 0 };
+  std::vector<Track*> measured;
   for (auto& track : this->Tracks)
   {
-    if (!track->Mapper || !track->Visibility.IsOwnMeasured())
+    if (track->Mapper && track->Visibility.IsOwnMeasured())
     {
-      continue;
+      area = measured.empty() ? track->Rectangle : vtkPattern::Union(area, track->Rectangle);
+      measured.push_back(track.get());
     }
-    if (!depth)
-    {
-      this->Resources = vtkPatternWindowResources::Get(window);
-      const vtkPatternViewport viewport(this->Renderer, 1.0);
-      depth = this->Resources->CaptureDepth(window, viewport.Drawn);
-    }
+  }
+  if (measured.empty())
+  {
+    return;
+  }
+  this->Resources = vtkPatternWindowResources::Get(window);
+  vtkTextureObject* depth = this->Resources->CaptureDepth(window, area);
+  for (Track* track : measured)
+  {
     track->Visibility.MeasureScene(window, depth);
   }
 }

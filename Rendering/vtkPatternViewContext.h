@@ -55,6 +55,7 @@ public:
     unsigned long Frame = 0; // the frame of the last advance
     bool Moved = true;       // that advance saw another view or surface than the one before
     vtkPatternVisibility Visibility;
+    std::array<int, 4> Rectangle{}; ///< x, y, width, height of what was drawn, where it is measured
     vtkPatternFeatures Features;
     vtkPatternSamples::Values Velocity; // of the samples, where an array is named
     vtkPatternSamples::Surface Before;  // samples that the tracker knows and that were replaced

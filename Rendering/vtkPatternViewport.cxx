@@ -154,4 +154,15 @@ std::array<int, 4> CoveredRectangle(const double bounds[6], const glm::dmat4& mo
   }
   return rectangle;
 }
+
+std::array<int, 4> Union(const std::array<int, 4>& a, const std::array<int, 4>& b)
+{
+  std::array<int, 4> both;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    both[axis] = std::min(a[axis], b[axis]);
+    both[2 + axis] = std::max(a[axis] + a[2 + axis], b[axis] + b[2 + axis]) - both[axis];
+  }
+  return both;
+}
 } // namespace vtkPattern

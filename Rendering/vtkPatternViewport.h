@@ -57,6 +57,8 @@ glm::dmat4 DrawnProjection(vtkRenderer* renderer);
 /// of the viewport where the box reaches behind the camera.
 std::array<int, 4> CoveredRectangle(const double bounds[6], const glm::dmat4& modelToClip,
   const std::array<int, 4>& viewport, int margin);
+/// The smallest rectangle (x, y, width, height) around two others.
+std::array<int, 4> Union(const std::array<int, 4>& a, const std::array<int, 4>& b);
 /// Model to view coordinates.
 glm::dmat4 ModelView(vtkRenderer* renderer, vtkProp3D* prop);
 } // namespace vtkPattern

@@ -24,10 +24,10 @@ void main()
   vec2 pixel = floor(clamp(window, lastFragment.xy, lastFragment.zw - 1.0));
   float depth = texelFetch(depthImage, ivec2(pixel), 0).r;
   vec4 seen = fromFragment * vec4(pixel + 0.5, depth, 1.0);
-  vec4 beside = seen + fromFragment[0];
   vec3 place = seen.xyz / seen.w;
   // A pixel may be coarser than the spacing: then one pixel is the unit.
-  float unit = max(0.25 * sampled.w, length(beside.xyz / beside.w - place));
+  vec3 toNextPixel = (fromFragment[0].xyz - fromFragment[0].w * place) / seen.w;
+  float unit = max(0.25 * sampled.w, length(toNextPixel));
   float visibility = 1.0 - smoothstep(unit, 2.0 * unit, length(place - sampled.xyz));
   gl_FragData[0] = vec4(inside && depth < 1.0 ? visibility : 0.0, inside ? depth : 2.0, pixel);
 }

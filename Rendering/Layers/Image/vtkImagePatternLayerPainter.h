@@ -75,7 +75,7 @@ private:
   vtkNew<vtkTextureObject> Texture;
   Mips UploadedTile;
   bool UploadedBetweenLevels = false; // the texture filters between levels
-  hachure::PaintMips Dabs; // of paint, else null
+  hachure::PaintMips Dabs;            // of paint, else null
   vtkNew<vtkTextureObject> DabsOnTop;
   vtkNew<vtkTextureObject> DabsBelow;
   hachure::PaintMips UploadedDabs;

@@ -132,7 +132,8 @@ public:
 
   ///@{
   /** What is made of the tone after Invert and Gamma, one of RemapType; default NONE. STEPS: one
-   * of Steps flat tones, each for an equal share of the tones. SMOOTHSTEP: a smooth step over RemapRange. */
+   * of Steps flat tones, each for an equal share of the tones. SMOOTHSTEP: a smooth step over
+   * RemapRange. */
   vtkSetClampMacro(Remap, int, NONE, SMOOTHSTEP);
   vtkGetMacro(Remap, int);
   ///@}

@@ -20,9 +20,11 @@
  * tracking mode ANCHORED of the style the picture is a pure function of surface, camera, style and
  * path; see SetCameraPath(). The patches of a surface move separately; see SetPatchArrayName().
  *
- * Samples, their weights and their visibility take 249 bytes each (measured with software
+ * Samples, their weights and their visibility take some 250 bytes each (measured with software
  * rendering), 500 a patch by default; 99 of them are images of three frames, from which patterns
- * move. Weights by features take 8 more, by those of tone 40 more, and velocities 24 more.
+ * move. Weights by features take 8 more, by those of tone 40 more, and velocities 24 more. Where
+ * there are patches, every vertex takes 4 bytes and every triangle on which several of them
+ * meet 76.
  *
  * Errors, each reported once until something changes: a tone array that is missing or not numeric
  * or has too few components, an empty tone range, a light that the renderer lacks, more than four

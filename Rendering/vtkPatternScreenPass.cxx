@@ -22,6 +22,7 @@
 #include "vtkShaderProgram.h"
 
 #include <cmath>
+#include <sstream>
 
 namespace
 {
@@ -33,8 +34,8 @@ std::string VertexText(std::string& fragment)
 {
   constexpr int vectorsOfAnyOpenGL = 15;
   int free = vectorsOfAnyOpenGL - 1; // one is the texture coordinate's
-  std::string declarations;
-  std::string assignments;
+  std::ostringstream declarations;
+  std::ostringstream assignments;
   const std::string keyword = "uniform ";
   for (std::size_t at = fragment.find(keyword); at != std::string::npos;
        at = fragment.find(keyword, at + 1))
@@ -52,18 +53,17 @@ std::string VertexText(std::string& fragment)
       continue;
     }
     free -= size;
-    std::string flat = name;
-    flat += "Flat";
-    std::string handedOn = "flat in ";
-    handedOn.append(type).append(" ").append(flat).append(";\n#define ");
-    handedOn.append(name).append(" ").append(flat).append("\n");
-    declarations += "uniform " + type + " " + name + ";\nflat out " + type + " " + flat + ";\n";
-    assignments += "  " + flat + " = " + name + ";\n";
-    fragment.replace(at, end + 1 - at, handedOn);
+    const std::string flat = name + "Flat";
+    std::ostringstream handedOn;
+    handedOn << "flat in " << type << " " << flat << ";\n#define " << name << " " << flat << "\n";
+    declarations << "uniform " << type << " " << name << ";\n";
+    declarations << "flat out " << type << " " << flat << ";\n";
+    assignments << "  " << flat << " = " << name << ";\n";
+    fragment.replace(at, end + 1 - at, handedOn.str());
   }
   std::string vertex = PatternScreenVS;
-  vtkShaderProgram::Substitute(vertex, "//Hachure::Flat::Dec", declarations);
-  vtkShaderProgram::Substitute(vertex, "  //Hachure::Flat::Impl", assignments);
+  vtkShaderProgram::Substitute(vertex, "//Hachure::Flat::Dec", declarations.str());
+  vtkShaderProgram::Substitute(vertex, "  //Hachure::Flat::Impl", assignments.str());
   return vertex;
 }
 } // namespace

@@ -42,6 +42,7 @@ PatternPlacement placePattern(const PatternFrame& frame, const PlacementOptions&
   const PatternFrame placed = follows ? frame : PatternFrame();
   const auto start = static_cast<float>(table.lodStart);
   const auto end = static_cast<float>(table.lodEnd);
+  const bool even = table.pace == LodPace::even;
   const double length = glm::length(placed.u);
   const float scale = glsl::wrapScale(static_cast<float>(length));
 
@@ -53,10 +54,10 @@ PatternPlacement placePattern(const PatternFrame& frame, const PlacementOptions&
   placement.up =
     tileCoordinate({ -direction.y, direction.x }, scale * options.tileSize.y, placed.origin);
   placement.texelsPerPixel = static_cast<float>(table.texelsPerPixelAtScale1) / scale;
-  placement.blend = follows ? glsl::lodBlend(scale, start, end) : 0.0f;
+  placement.blend = follows ? glsl::lodBlend(scale, start, end, even) : 0.0f;
   if (table.transition == LodTransition::blendScreens)
   {
-    placement.row = glm::vec2(glsl::tableRow(scale, start, end));
+    placement.row = glm::vec2(glsl::tableRow(scale, start, end, even));
   }
   else
   {

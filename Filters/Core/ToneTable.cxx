@@ -72,8 +72,8 @@ float blendAt(const ToneTableOptions& options, float scale)
 {
   return options.transition == LodTransition::none
     ? 0.0f
-    : glsl::lodBlend(
-        scale, static_cast<float>(options.lodStart), static_cast<float>(options.lodEnd));
+    : glsl::lodBlend(scale, static_cast<float>(options.lodStart),
+        static_cast<float>(options.lodEnd), options.pace == LodPace::even);
 }
 
 // The levels of a tile, and which one is drawn from.
@@ -232,8 +232,8 @@ void measureRow(
   const ToneTableOptions& options = table.options;
   const auto row = static_cast<float>(step);
   const float scale = blendsScreens(options)
-    ? glsl::tableScale(
-        row, static_cast<float>(options.lodStart), static_cast<float>(options.lodEnd))
+    ? glsl::tableScale(row, static_cast<float>(options.lodStart),
+        static_cast<float>(options.lodEnd), options.pace == LodPace::even)
     : glsl::octaveScale(row);
   const float blend = blendsScreens(options) ? blendAt(options, scale) : 0.0f;
   const float footprint = static_cast<float>(options.texelsPerPixelAtScale1) / scale;
@@ -283,8 +283,9 @@ int tableRows(LodTransition transition)
 bool operator==(const ToneTableOptions& a, const ToneTableOptions& b)
 {
   return a.texelsPerPixelAtScale1 == b.texelsPerPixelAtScale1 && a.lodStart == b.lodStart &&
-    a.lodEnd == b.lodEnd && a.transition == b.transition && a.correction == b.correction &&
-    a.referenceTexelsPerPixel == b.referenceTexelsPerPixel && a.fixedLevel == b.fixedLevel;
+    a.lodEnd == b.lodEnd && a.transition == b.transition && a.pace == b.pace &&
+    a.correction == b.correction && a.referenceTexelsPerPixel == b.referenceTexelsPerPixel &&
+    a.fixedLevel == b.fixedLevel;
 }
 
 ToneTable buildToneTable(Span<const PatternTile> mips, const ToneTableOptions& options)
@@ -322,7 +323,7 @@ double toneThreshold(const ToneTable& table, double tone, double scale)
   const float column = glsl::tableColumn(static_cast<float>(tone)) * table.tones - 0.5f;
   const float along = blendsScreens(table.options)
     ? glsl::tableRow(static_cast<float>(scale), static_cast<float>(table.options.lodStart),
-        static_cast<float>(table.options.lodEnd))
+        static_cast<float>(table.options.lodEnd), table.options.pace == LodPace::even)
     : glsl::octaveRow(static_cast<float>(scale));
   const float row = along * table.steps - 0.5f;
   const int left = std::clamp(static_cast<int>(column), 0, table.tones - 2);

@@ -21,6 +21,13 @@ enum class LodTransition
   blendScreens // screens are mixed before the threshold: marks change their shape
 };
 
+// How the weight of the half-size copy grows with the scale; see lodBlend in Kernels/Lod.glsl.
+enum class LodPace
+{
+  even,   // the picture changes equally much with every part of the growth
+  classic // in proportion to the scale (section 3.4)
+};
+
 // Which part of the difference between tone and ink is removed (section 3.5).
 enum class ToneCorrection
 {
@@ -38,6 +45,7 @@ struct ToneTableOptions
   double lodStart = 1.3;
   double lodEnd = 1.7;
   LodTransition transition = LodTransition::blendScreens;
+  LodPace pace = LodPace::even;
   ToneCorrection correction = ToneCorrection::full;
   // Texels per pixel at which transitionOnly looks at the uncorrected screen, where that is not
   // texelsPerPixelAtScale1; 0: it is.
@@ -52,7 +60,7 @@ bool operator==(const ToneTableOptions& a, const ToneTableOptions& b);
 // Row-major: threshold[row * tones + tone]. Upload as a texture of one float, linear filter,
 // clamped to edge, and look up with the functions of Kernels/PatternField.glsl.
 // Column i is tone i / 255 (tableColumn). With blendScreens the scale of row k is
-// tableScale(k, lodStart, lodEnd), row 0 scale 1 and the last row, its equal, scale 2 (tableRow);
+// tableScale(k, lodStart, lodEnd, pace is even), row 0 scale 1 and the last row, its equal, scale 2 (tableRow);
 // otherwise the table is that of a single octave, octaveScale(k), from 1/2 to 2 (octaveRow).
 // Thresholds grow with the tone and may lie outside [0, 1].
 struct ToneTable

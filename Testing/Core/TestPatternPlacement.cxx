@@ -92,11 +92,14 @@ TEST(PatternPlacement, OctavesMeet)
 
 TEST(PatternPlacement, BlendGoesFromStartToEnd)
 {
-  const PlacementOptions options = fading();
+  PlacementOptions options = fading();
+  const double middle = std::sqrt(1.3 * 1.7);
   EXPECT_EQ(placePattern(scaled(1.3), options).blend, 0.0f);
-  EXPECT_NEAR(placePattern(scaled(1.5), options).blend, 0.5f, 1e-5f);
-  EXPECT_NEAR(placePattern(scaled(0.75), options).blend, 0.5f, 1e-5f);
+  EXPECT_NEAR(placePattern(scaled(middle), options).blend, 0.5f, 1e-5f);
+  EXPECT_NEAR(placePattern(scaled(0.5 * middle), options).blend, 0.5f, 1e-5f);
   EXPECT_EQ(placePattern(scaled(1.71), options).blend, 1.0f);
+  options.table.pace = LodPace::classic;
+  EXPECT_NEAR(placePattern(scaled(1.5), options).blend, 0.5f, 1e-5f);
 }
 
 TEST(PatternPlacement, EachOctaveHasItsOwnRow)

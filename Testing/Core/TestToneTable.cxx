@@ -67,7 +67,8 @@ std::vector<double> meanInks(
     addInk(mips, table, scale, 1.0, inks);
     return inks;
   }
-  const double blend = glsl::lodBlend(static_cast<float>(scale), 1.3f, 1.7f);
+  const double blend = glsl::lodBlend(
+    static_cast<float>(scale), 1.3f, 1.7f, table.options.pace == LodPace::even);
   addInk(mips, table, scale, 1.0 - blend, inks);
   addInk(mips, table, 0.5 * scale, blend, inks);
   return inks;
@@ -257,11 +258,12 @@ TEST(ToneTable, CrossFadeMixesTheInksOfBothOctaves)
 {
   const std::vector<PatternTile> mips = mipChain(hatchTile());
   const ToneTable table = buildToneTable(mips, forPeriod(12.0, LodTransition::crossFade));
+  const double quarter = glsl::lodScale(0.25f, 1.3f, 1.7f, true); // of the second octave
   for (int i = 0; i < 100; ++i)
   {
     const double v = i / 100.0;
     const double first = drawnInk(mips, table, 0.3, 0.0, v, 1.299999); // not faded yet
-    const double middle = drawnInk(mips, table, 0.3, 0.0, v, 1.3 + 0.25 * 0.4);
+    const double middle = drawnInk(mips, table, 0.3, 0.0, v, quarter);
     const bool marked = first > 0.99;
     EXPECT_TRUE(!marked || middle > 0.7) << v;
     EXPECT_LE(middle, first + 0.35) << v;

@@ -110,6 +110,7 @@ void vtkImagePatternLayer::DescribeField(hachure::StyleArchive& archive)
     { this->GetLodEndMinValue(), this->GetLodEndMaxValue() });
   archive.choice("transition", this, &Self::GetTransition, &Self::SetTransition,
     { "automatic", "crossFade", "blendScreens" });
+  archive.choice("pace", this, &Self::GetPace, &Self::SetPace, { "even", "classic" });
   archive.choice("toneCorrection", this, &Self::GetToneCorrection, &Self::SetToneCorrection,
     { "full", "transitionOnly", "off" });
 }
@@ -140,5 +141,6 @@ void vtkImagePatternLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LodStart: " << this->LodStart << "\n";
   os << indent << "LodEnd: " << this->LodEnd << "\n";
   os << indent << "Transition: " << this->Transition << "\n";
+  os << indent << "Pace: " << this->Pace << "\n";
   os << indent << "ToneCorrection: " << this->ToneCorrection << "\n";
 }

@@ -67,13 +67,28 @@ public:
   /**
    * How the image at half the size takes over. CROSS_FADE: by ink, the old strokes fade out and the
    * new ones in. BLEND_SCREENS: by screen, the marks change their shape. AUTOMATIC_TRANSITION:
-   * strokes (HATCH, CROSS_HATCH) cross-fade, screens (HALFTONE, IMAGE) blend.
+   * screens (HALFTONE, STIPPLE, PAPER) blend; strokes (HATCH, CROSS_HATCH, PAINT) and an IMAGE
+   * cross-fade: a drawing blended with its own copy would have shapes that it never had.
    */
   enum TransitionType
   {
     AUTOMATIC_TRANSITION = 0,
     CROSS_FADE = 1,
     BLEND_SCREENS = 2
+  };
+
+  /**
+   * How fast it takes over while the scale s goes from s0 = LodStart to s1 = LodEnd; t is its
+   * weight. EVEN: the picture changes equally much with every part of the growth,
+   * t = sin(a) / (sin(a) + cos(a)) with a = x pi / 2, x = log(s / s0) / log(s1 / s0). Uncorrelated
+   * pictures of equal variance, mixed by 1 - t and t, turn by the angle a from the one to the other.
+   * CLASSIC: t = (s - s0) / (s1 - s0) (Breslav et al. 2007, section 3.4), which changes the picture
+   * twice as fast half way as at the ends.
+   */
+  enum PaceType
+  {
+    EVEN = 0,
+    CLASSIC = 1
   };
 
   /**
@@ -223,6 +238,12 @@ public:
   ///@}
 
   ///@{
+  /** Pace at which the pattern of half the size takes over, one of PaceType; default EVEN. */
+  vtkSetClampMacro(Pace, int, EVEN, CLASSIC);
+  vtkGetMacro(Pace, int);
+  ///@}
+
+  ///@{
   /** Which difference between tone and ink is removed (Breslav et al. 2007, section 3.5), one of
    * ToneCorrectionType; default FULL_CORRECTION. */
   vtkSetClampMacro(ToneCorrection, int, FULL_CORRECTION, NO_CORRECTION);
@@ -266,6 +287,7 @@ private:
   double LodStart = 1.3;
   double LodEnd = 1.7;
   int Transition = AUTOMATIC_TRANSITION;
+  int Pace = EVEN;
   int ToneCorrection = FULL_CORRECTION;
 };
 

@@ -254,10 +254,10 @@ hachure::LodTransition vtkImagePatternLayerPainter::Transition() const
   }
   const int set = this->Layer->GetTransition();
   const int pattern = this->Layer->GetPattern();
-  const bool strokes = pattern == vtkImagePatternLayer::HATCH ||
-    pattern == vtkImagePatternLayer::CROSS_HATCH || pattern == vtkImagePatternLayer::PAINT;
+  const bool screen = pattern == vtkImagePatternLayer::HALFTONE ||
+    pattern == vtkImagePatternLayer::STIPPLE || pattern == vtkImagePatternLayer::PAPER;
   const bool fades = set == vtkImagePatternLayer::CROSS_FADE ||
-    (set == vtkImagePatternLayer::AUTOMATIC_TRANSITION && strokes);
+    (set == vtkImagePatternLayer::AUTOMATIC_TRANSITION && !screen);
   return fades ? hachure::LodTransition::crossFade : hachure::LodTransition::blendScreens;
 }
 
@@ -294,6 +294,8 @@ hachure::ToneTableOptions vtkImagePatternLayerPainter::TableOptions() const
   options.lodStart = std::min(this->Layer->GetLodStart(), 1.98);
   options.lodEnd = std::max(this->Layer->GetLodEnd(), options.lodStart + 0.01);
   options.transition = this->Transition();
+  options.pace = this->Layer->GetPace() == vtkImagePatternLayer::EVEN ? hachure::LodPace::even
+                                                                      : hachure::LodPace::classic;
   options.correction = this->Correction();
   options.referenceTexelsPerPixel = options.texelsPerPixelAtScale1;
   return options;
@@ -504,9 +506,10 @@ void vtkImagePatternLayerPainter::SetSurfaceUniforms(
     static_cast<float>(options.lodEnd), static_cast<float>(firstTableRow),
     static_cast<float>(options.texelsPerPixelAtScale1) };
   program->SetUniform4f(("hachureOctave" + number).c_str(), octave);
-  const float kind[2] = { solid ? 1.0f : 0.0f,
-    this->BlendsScreens() ? 0.0f : static_cast<float>(this->TableBlocks) };
-  program->SetUniform2f(("hachureKind" + number).c_str(), kind);
+  const float kind[3] = { solid ? 1.0f : 0.0f,
+    this->BlendsScreens() ? 0.0f : static_cast<float>(this->TableBlocks),
+    options.pace == hachure::LodPace::even ? 1.0f : 0.0f };
+  program->SetUniform3f(("hachureKind" + number).c_str(), kind);
 }
 
 std::vector<vtkTextureObject*> vtkImagePatternLayerPainter::UsedTextures()

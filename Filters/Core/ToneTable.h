@@ -3,6 +3,7 @@
 #ifndef hachure_ToneTable_h
 #define hachure_ToneTable_h
 
+#include "OctaveContrast.h"
 #include "PatternTile.h"
 
 #include <vector>
@@ -50,6 +51,9 @@ struct ToneTableOptions
   // Texels per pixel at which transitionOnly looks at the uncorrected screen, where that is not
   // texelsPerPixelAtScale1; 0: it is.
   double referenceTexelsPerPixel = 0.0;
+  // Texels per pixel of the eye at LOD scale 1, where those are not the drawn pixels: the pace of a
+  // transition must not depend on how finely it is drawn. 0: they are.
+  double seenTexelsPerPixel = 0.0;
   // Mip level that both octaves are drawn from, as fixedTileLevel has it; below 0: the levels that
   // fit their footprints.
   double fixedLevel = -1.0;
@@ -60,14 +64,17 @@ bool operator==(const ToneTableOptions& a, const ToneTableOptions& b);
 // Row-major: threshold[row * tones + tone]. Upload as a texture of one float, linear filter,
 // clamped to edge, and look up with the functions of Kernels/PatternField.glsl.
 // Column i is tone i / 255 (tableColumn). With blendScreens the scale of row k is
-// tableScale(k, lodStart, lodEnd, pace is even), row 0 scale 1 and the last row, its equal, scale 2 (tableRow);
-// otherwise the table is that of a single octave, octaveScale(k), from 1/2 to 2 (octaveRow).
-// Thresholds grow with the tone and may lie outside [0, 1].
+// tableScale(k, lodStart, lodEnd, contrast), row 0 scale 1 and the last row, its equal, scale 2
+// (tableRow); otherwise the table is that of a single octave, octaveScale(k), from 1/2 to 2
+// (octaveRow). Thresholds grow with the tone and may lie outside [0, 1].
 struct ToneTable
 {
   int tones = 256;
   int steps = 0; // tableSteps with blendScreens, otherwise octaveSteps of PatternField.glsl
   std::vector<float> threshold;
+  // Of the octaves, as lodBlend takes it: 0 with the classic pace; octaveContrast() half way where
+  // inks cross-fade. Screens have equal variance at every size.
+  float contrast = 1.0f;
   ToneTableOptions options;
 };
 

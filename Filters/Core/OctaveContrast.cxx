@@ -98,9 +98,8 @@ double octaveContrast(Span<const PatternTile> mips, double texelsPerPixel)
     check::fail("octaveContrast", "texelsPerPixel",
       std::to_string(texelsPerPixel) + ", expected a positive number");
   }
-  // The level that has enough texels per pixel, and not many more.
-  const auto fitting =
-    static_cast<std::size_t>(glsl::fixedTileLevel(static_cast<float>(texelsPerPixel)));
+  // The level with 1.4 to 2.8 texels per pixel, enough for a Gaussian of a pixel.
+  const auto fitting = static_cast<std::size_t>(std::max(0.0, std::log2(texelsPerPixel) - 0.5));
   const std::size_t level = std::min(fitting, mips.size() - 1);
   const PatternTile& tile = mips[level];
   Picture picture{ tile.width, tile.height, {} };

@@ -16,7 +16,7 @@
  * borders, not the number of patches.
  *
  * Points in the same place are one, so that seams of normals or texture coordinates do not show.
- * The power to which the paper raises weights is left to the layer that draws. A corner of a
+ * The power to which the paper raises weights is PatchPower of the layer that draws. A corner of a
  * polygon or strip that is not finite is an error.
  */
 

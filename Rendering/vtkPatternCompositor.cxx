@@ -117,16 +117,12 @@ std::string ToneExpression(vtkPatternTone* tone, int channel)
   return channel < 0 ? "hachureCurve@.z" : "tones[" + std::to_string(channel) + "]";
 }
 
-// The tone with as much of a curve as it has: software OpenGL takes long to raise to powers.
+// The tone with its curve.
 std::string CurvedTone(vtkPatternTone* tone, int channel)
 {
-  const std::string plain = ToneExpression(tone, channel);
-  const std::string power = plain + ", hachureCurve@.x, hachureCurve@.y";
-  if (tone->GetRemap() != vtkPatternTone::NONE)
-  {
-    return "toneCurve(" + power + ", hachureRemap@)";
-  }
-  return tone->GetGamma() == 1.0 && !tone->GetInvert() ? plain : "tonePower(" + power + ")";
+  const std::string power = ToneExpression(tone, channel) + ", hachureCurve@.x, hachureCurve@.y";
+  return tone->GetRemap() == vtkPatternTone::NONE ? "tonePower(" + power + ")"
+                                                  : "toneCurve(" + power + ", hachureRemap@)";
 }
 
 glm::vec3 Remap(vtkPatternTone* tone)

@@ -5,6 +5,7 @@
 #include "vtkHachureCompatibility.h"
 
 #include "PatternOutline.h"
+#include "PatternPlaceFS.h"
 #include "PatternScreenFS.h"
 #include "PatternScreenVS.h"
 #include "PatternSurfaceImages.h"
@@ -184,7 +185,7 @@ bool vtkPatternScreenPass::Draw(
       static_cast<float>(area[0] + area[2] - 1), static_cast<float>(area[1] + area[3] - 1) };
     program->SetUniform4f("hachureDrawnRectangle", rectangle);
   }
-  this->DrawRectangle(scene);
+  this->DrawLayers(scene, resources);
   compositor.Deactivate();
   for (const auto& image : images)
   {
@@ -193,12 +194,16 @@ bool vtkPatternScreenPass::Draw(
       image.second->Deactivate();
     }
   }
+  this->Place(scene, resources);
   return true;
 }
 
-void vtkPatternScreenPass::DrawRectangle(const Scene& scene)
+namespace
 {
-  vtkOpenGLState* state = scene.Window->GetState();
+// Draws a quad over a rectangle of the framebuffer, without blending.
+void RenderWithin(
+  vtkOpenGLState* state, const std::array<int, 4>& rectangle, vtkOpenGLQuadHelper& quad)
+{
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
@@ -206,9 +211,46 @@ void vtkPatternScreenPass::DrawRectangle(const Scene& scene)
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(
-    scene.Rectangle[0], scene.Rectangle[1], scene.Rectangle[2], scene.Rectangle[3]);
-  this->Quad->Render();
+  state->vtkglScissor(rectangle[0], rectangle[1], rectangle[2], rectangle[3]);
+  quad.Render();
+}
+} // namespace
+
+// What the attribute stage did not cover fails the depth test: a shader that discards or writes
+// depth would be run everywhere first.
+void vtkPatternScreenPass::DrawLayers(const Scene& scene, vtkPatternWindowResources& resources)
+{
+  vtkOpenGLState* state = scene.Window->GetState();
+  state->PushFramebufferBindings();
+  resources.BeginLayers(scene.Window, scene.Rectangle);
+  {
+    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+    vtkOpenGLState::ScopedglDepthMask depthMask(state);
+    vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglDepthFunc(GL_GREATER);
+    RenderWithin(state, scene.Rectangle, *this->Quad);
+  }
+  state->PopFramebufferBindings();
+}
+
+void vtkPatternScreenPass::Place(const Scene& scene, vtkPatternWindowResources& resources)
+{
+  if (!this->PlaceQuad)
+  {
+    this->PlaceQuad =
+      std::make_unique<vtkOpenGLQuadHelper>(scene.Window, nullptr, PatternPlaceFS, "");
+  }
+  vtkShaderProgram* program = this->PlaceQuad->Program;
+  scene.Window->GetShaderCache()->ReadyShaderProgram(program);
+  resources.DrawnColor->Activate();
+  resources.SurfaceDepth->Activate();
+  program->SetUniformi("hachureDrawn", resources.DrawnColor->GetTextureUnit());
+  program->SetUniformi("hachureSurfaceDepth", resources.SurfaceDepth->GetTextureUnit());
+  RenderWithin(scene.Window->GetState(), scene.Rectangle, *this->PlaceQuad);
+  resources.SurfaceDepth->Deactivate();
+  resources.DrawnColor->Deactivate();
 }
 
 void vtkPatternScreenPass::SetOutline(const Scene& scene, vtkShaderProgram* program)
@@ -259,9 +301,12 @@ void vtkPatternScreenPass::SetUnprojection(const Scene& scene, vtkShaderProgram*
 
 void vtkPatternScreenPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Quad)
+  for (auto* quad : { &this->Quad, &this->PlaceQuad })
   {
-    this->Quad->ReleaseGraphicsResources(window);
-    this->Quad.reset();
+    if (*quad)
+    {
+      (*quad)->ReleaseGraphicsResources(window);
+      quad->reset();
+    }
   }
 }

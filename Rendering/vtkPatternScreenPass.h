@@ -59,10 +59,12 @@ private:
   static std::string Text(vtkPatternStyle* style, vtkPatternCompositor& compositor, bool outline);
   static void SetOutline(const Scene& scene, vtkShaderProgram* program);
   static void SetUnprojection(const Scene& scene, vtkShaderProgram* program);
-  void DrawRectangle(const Scene& scene);
+  void DrawLayers(const Scene& scene, vtkPatternWindowResources& resources);
+  void Place(const Scene& scene, vtkPatternWindowResources& resources);
 
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
   std::string QuadText;
+  std::unique_ptr<vtkOpenGLQuadHelper> PlaceQuad;
 };
 
 #endif

@@ -131,8 +131,9 @@ public:
   ///@}
 
   ///@{
-  /** What is made of the tone after Invert and Gamma, one of RemapType; default NONE. STEPS: the
-   * nearest of Steps flat tones. SMOOTHSTEP: a smooth step over RemapRange. */
+  /** What is made of the tone after Invert and Gamma, one of RemapType; default NONE. STEPS: one
+   * of Steps flat tones, each for an equal share of the tones. SMOOTHSTEP: a smooth step over
+   * RemapRange. */
   vtkSetClampMacro(Remap, int, NONE, SMOOTHSTEP);
   vtkGetMacro(Remap, int);
   ///@}

@@ -39,32 +39,47 @@ bool vtkPatternWindowResources::Prepare(
   return this->Attach(window, attributes);
 }
 
+namespace
+{
+// False where it was made before.
+bool NewTexture(vtkOpenGLRenderWindow* window, vtkTextureObject* texture)
+{
+  texture->SetContext(window);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  return !texture->GetHandle();
+}
+
+void BlitDepth(vtkOpenGLState* state, const std::array<int, 4>& rectangle)
+{
+  const int right = rectangle[0] + rectangle[2];
+  const int top = rectangle[1] + rectangle[3];
+  vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglBlitFramebuffer(rectangle[0], rectangle[1], right, top, rectangle[0], rectangle[1],
+    right, top, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+}
+} // namespace
+
 bool vtkPatternWindowResources::Attach(
   vtkOpenGLRenderWindow* window, const vtkPatternAttributes& attributes)
 {
   const auto width = static_cast<unsigned int>(this->Size[0]);
   const auto height = static_cast<unsigned int>(this->Size[1]);
   const auto images = attributes.Images();
-  const auto make = [&](vtkTextureObject* texture)
-  {
-    texture->SetContext(window);
-    texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    return !texture->GetHandle();
-  };
   for (const vtkPatternAttributes::Image image : images)
   {
     const bool bytes = image <= vtkPatternAttributes::TONE;
     const bool single =
       image == vtkPatternAttributes::NORMAL || image == vtkPatternAttributes::PATCH;
     const int components = single ? 1 : 4;
-    if (make(this->Images[image]))
+    if (NewTexture(window, this->Images[image]))
     {
       this->Images[image]->Allocate2D(
         width, height, components, bytes ? VTK_UNSIGNED_CHAR : VTK_FLOAT);
     }
   }
-  if (make(this->SurfaceDepth))
+  if (NewTexture(window, this->SurfaceDepth))
   {
     this->SurfaceDepth->AllocateDepth(width, height, vtkTextureObject::Fixed32);
   }
@@ -85,7 +100,40 @@ bool vtkPatternWindowResources::Attach(
   const bool complete = this->AttributeFramebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER) != 0;
   state->PopFramebufferBindings();
   this->Attached = attributes;
+  return complete && this->AttachDrawn(window);
+}
+
+bool vtkPatternWindowResources::AttachDrawn(vtkOpenGLRenderWindow* window)
+{
+  if (!NewTexture(window, this->DrawnColor))
+  {
+    return true;
+  }
+  NewTexture(window, this->DrawnDepth);
+  const auto width = static_cast<unsigned int>(this->Size[0]);
+  const auto height = static_cast<unsigned int>(this->Size[1]);
+  this->DrawnColor->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR);
+  this->DrawnDepth->AllocateDepth(width, height, vtkTextureObject::Fixed32);
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->DrawnFramebuffer->SetContext(window);
+  this->DrawnFramebuffer->Bind();
+  this->DrawnFramebuffer->AddColorAttachment(0, this->DrawnColor);
+  this->DrawnFramebuffer->AddDepthAttachment(this->DrawnDepth);
+  this->DrawnFramebuffer->ActivateDrawBuffer(0);
+  const bool complete = this->DrawnFramebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER) != 0;
+  state->PopFramebufferBindings();
   return complete;
+}
+
+void vtkPatternWindowResources::BeginLayers(
+  vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle)
+{
+  this->DrawnFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  this->AttributeFramebuffer->Bind(GL_READ_FRAMEBUFFER);
+  BlitDepth(window->GetState(), rectangle);
+  this->DrawnFramebuffer->Bind();
+  this->DrawnFramebuffer->ActivateDrawBuffer(0);
 }
 
 vtkTextureObject* vtkPatternWindowResources::CaptureDepth(
@@ -109,12 +157,7 @@ vtkTextureObject* vtkPatternWindowResources::CaptureDepth(
   }
   this->DepthFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(source));
-  const int right = rectangle[0] + rectangle[2];
-  const int top = rectangle[1] + rectangle[3];
-  vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglBlitFramebuffer(rectangle[0], rectangle[1], right, top, rectangle[0], rectangle[1],
-    right, top, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  BlitDepth(state, rectangle);
   state->PopFramebufferBindings();
   return this->DepthFramebuffer->GetDepthAttachmentAsTextureObject();
 }
@@ -128,6 +171,9 @@ void vtkPatternWindowResources::ReleaseGraphicsResources(vtkWindow* window)
     image->ReleaseGraphicsResources(window);
   }
   this->SurfaceDepth->ReleaseGraphicsResources(window);
+  this->DrawnFramebuffer->ReleaseGraphicsResources(window);
+  this->DrawnColor->ReleaseGraphicsResources(window);
+  this->DrawnDepth->ReleaseGraphicsResources(window);
   this->Attached = {};
   this->Size = { 0, 0 };
   this->DepthSize = { 0, 0 };

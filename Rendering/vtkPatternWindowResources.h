@@ -28,6 +28,10 @@ public:
   /// framebuffer of them. False where it cannot be made.
   bool Prepare(vtkOpenGLRenderWindow* window, const vtkPatternAttributes& attributes);
 
+  /// Makes DrawnFramebuffer the one that is drawn to, with the depth of the attribute stage in a
+  /// rectangle (x, y, width, height). The caller keeps the bindings.
+  void BeginLayers(vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle);
+
   /// Copies a rectangle (x, y, width, height) of the depth of the framebuffer that is drawn to.
   vtkTextureObject* CaptureDepth(
     vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle);
@@ -38,9 +42,16 @@ public:
   vtkNew<vtkOpenGLFramebufferObject> AttributeFramebuffer;
   vtkNew<vtkTextureObject> SurfaceDepth; ///< window depth
 
+  /// Layers are drawn to a colour image under a depth of their own, a copy of SurfaceDepth, so that
+  /// the depth test finds what is covered.
+  vtkNew<vtkOpenGLFramebufferObject> DrawnFramebuffer;
+  vtkNew<vtkTextureObject> DrawnColor;
+
 private:
   bool Attach(vtkOpenGLRenderWindow* window, const vtkPatternAttributes& attributes);
+  bool AttachDrawn(vtkOpenGLRenderWindow* window);
 
+  vtkNew<vtkTextureObject> DrawnDepth;
   std::array<vtkNew<vtkTextureObject>, vtkPatternAttributes::IMAGE_COUNT> Images;
   vtkPatternAttributes Attached;
   std::array<int, 2> Size = { 0, 0 }; // of the images made

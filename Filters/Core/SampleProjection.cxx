@@ -20,7 +20,8 @@ namespace hachure
 namespace
 {
 
-// Waking a thread, which then waits awake for a while, costs as much as projecting this many samples.
+// Waking a thread, which then waits awake for a while, costs as much as projecting this many
+// samples.
 constexpr std::int64_t samplesPerThread = 1 << 20;
 constexpr double quarterOfPi = 0.78539816339744830962;
 

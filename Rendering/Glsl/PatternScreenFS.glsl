@@ -1,7 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// Draws the layers of one object over the pixels that its attribute stage covered.
+// Draws the layers of one object over the pixels that its attribute stage covered. A depth test passes
+// over all others, before anything is computed.
 
 in vec2 texCoord;
 
@@ -21,11 +22,6 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   float depth = texelFetch(hachureSurfaceDepth, pixel, 0).r;
   vec4 surface = texelFetch(hachureSurfaceColor, pixel, 0);
-  // The second part never holds; the quad must use all of its attributes.
-  if (surface.a <= 0.0 || texCoord.x < 0.0)
-  {
-    discard;
-  }
   bool hasData = surface.a > 0.4;
   vec4 tones = hasData ? texelFetch(hachureSurfaceTone, pixel, 0) : vec4(-1.0);
   //Hachure::Surface::Impl
@@ -33,6 +29,6 @@ void main()
   //Hachure::Outline::Impl
   // Edges that VTK drew lie over the pattern.
   vec3 display = mix(fromLinear(color), surface.rgb, clamp(2.0 - (hasData ? 2.0 : 8.0) * surface.a, 0.0, 1.0));
-  gl_FragData[0] = vec4(display, 1.0);
-  gl_FragDepth = depth;
+  // The quad must use all of its attributes.
+  gl_FragData[0] = vec4(display, texCoord.x < 0.0 ? 0.0 : 1.0);
 }

@@ -1,6 +1,6 @@
 //VTK::System::Dec
 
-// The rectangle of a viewport.
+// The rectangle of a viewport, as far away as nothing is.
 
 in vec4 ndCoordIn;
 in vec2 texCoordIn;
@@ -11,7 +11,7 @@ out vec2 texCoord;
 
 void main()
 {
-  gl_Position = ndCoordIn;
+  gl_Position = ndCoordIn.xyww;
   texCoord = texCoordIn;
   //Hachure::Flat::Impl
 }

@@ -18,6 +18,8 @@ import tempfile
 
 KERNEL_VERSIONS = (150, 330, 460)
 GLUE_VERSION = 150
+# Of layers' texts.
+CONSTANTS = ("LEVEL", "1.0"), ("ASPECT", "1.0"), ("PERIOD", "32.0"), ("POWER", "0.5")
 
 
 def read(path):
@@ -90,7 +92,10 @@ def stack(pieces, kernels):
     for number, (kind, blend) in enumerate(pairs):
         text = kind + pieces.get("PatternLayer", "")
         separation = "processInks(hachureSurfaceHere, hachureCurve@.w).x"
-        text = text.replace("TONE", "tones[0]" if number % 2 else separation)
+        curve = "toneCurve(tones[0], hachureCurve@.x, hachureCurve@.y, hachureRemap@)"
+        text = text.replace("CURVE", curve if number % 2 else separation)
+        for constant, value in CONSTANTS:
+            text = text.replace(constant, value)
         text = text.replace("INKCOLOR", "hachureInk@.rgb" if number % 2 else "hachureSurfaceHere")
         declarations += text.replace("BLEND", blend).replace("@", str(number))
         calls += "  color = hachureLayer%d(color, position, tones);\n" % number
@@ -107,13 +112,19 @@ def assemble(text, kernels, pieces):
     """A whole fragment shader: pieces for tags, VTK's outputs for gl_FragData."""
     declarations, calls = stack(pieces, kernels)
     outline = sections(pieces.get("PatternOutline", ""))
+    surface = sections(pieces.get("PatternSurfaceImages", ""))
     for tag, piece in (
         ("//Hachure::Compose::Dec", kernels + pieces.get("PatternCompose", "")),
         ("//Hachure::Outline::Dec", outline.get("Functions", "")),
         ("//Hachure::Outline::Impl", outline.get("Call", "")),
         ("//Hachure::Crease::Impl", outline.get("Crease", "")),
         ("//Hachure::ColorAt::Dec", sections(pieces.get("PatternColorAt", "")).get("Images", "")),
-        ("//Hachure::Patches::Dec", pieces.get("PatternPatches", "")),
+        ("//Hachure::Patches::Dec",
+         pieces.get("PatternPatches", "") + pieces.get("PatternPatchRecords", "")),
+        ("//Hachure::Surface::Dec", surface.get("PatchDec", "")),
+        ("//Hachure::Surface::Impl", surface.get("PatchImpl", "")),
+        ("LAYERS", "3"),
+        ("PAPER", "hachureSurfaceHere"),
         ("//Hachure::Layers::Dec", declarations),
         ("//Hachure::Layers::Impl", calls),
         ("//VTK::System::Dec", "#version %d" % GLUE_VERSION),

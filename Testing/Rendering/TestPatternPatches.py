@@ -145,6 +145,29 @@ def test_tone_holds_across_borders():
             assert error < 0.02, (pattern, places, width, turned, error, case)
 
 
+def test_power_of_weights_strengthens_borders():
+    data = patch_scene.grid()
+    patch_scene.split(data, (0.0,), 0.8)
+    style = scene.constant_style(HATCH, 8, 0.3)
+    layer = style.GetLayer(0)
+    _, _, window = flat_view(data, style, (384, 384))
+    scene.draw(window)
+    for _ in range(12):
+        patch_scene.twist(data, 0.0, 2.5, 1.04)
+        scene.draw(window)
+    inks = {}
+    for power in (1.0, 0.5):
+        layer.SetPatchPower(power)
+        columns = (1.0 - scene.linear(scene.draw(window)).mean(axis=2)).mean(axis=0)
+        inks[power] = columns[176:208].mean(), columns[:64].mean()
+    border, inside = zip(*(inks[power] for power in (1.0, 0.5)))
+    # At the border itself each of two weights is 1/2: ink by 2 / sqrt(2) more, less its overlap.
+    assert 1.2 < border[1] / border[0] < 1.45, inks
+    assert abs(inside[1] - inside[0]) < 0.01, inks
+    layer.GetTone().SetConstant(1.0)
+    assert scene.ink(scene.draw(window)) > 0.999, "full ink stays full ink"
+
+
 def test_translucent_patches_look_like_opaque_ones():
     data = patch_scene.grid()
     patch_scene.split(data, (0.0,), 0.6)

@@ -102,6 +102,7 @@ def test_every_parameter_survives():
     layer.SetSurfacePeriod(0.125)
     layer.SetLodStart(1.1)
     layer.SetLodEnd(1.9)
+    layer.SetPatchPower(0.5)
     layer.SetTransition(layer.BLEND_SCREENS)
     layer.SetPace(layer.CLASSIC)
     layer.SetTransitionTime(0.4)

@@ -67,11 +67,11 @@ float tileLevel(float texelsPerPixel)
 }
 
 // The one level from which a pattern is drawn whose period in the picture stays within an octave, for
-// its footprint at scale 1: it has 1.4 to 2.8 texels per pixel there. Finer ones would show no more,
+// its footprint at scale 1: it has 2.8 to 5.7 texels per pixel there. Finer ones would show no more,
 // and take several times the memory that caches must hold.
 float fixedTileLevel(float texelsPerPixelAtScale1)
 {
-  return max(0.0f, floor(log2(max(texelsPerPixelAtScale1, 1.0e-6f)) + 0.5f) - 1.0f);
+  return max(0.0f, floor(log2(max(texelsPerPixelAtScale1, 1.0e-6f)) + 0.5f) - 2.0f);
 }
 
 // Screen (x) and its change across a pixel (y) from the texels of both octaves.

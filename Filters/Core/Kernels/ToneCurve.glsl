@@ -8,7 +8,7 @@
 const float remapSteps = 1.0f;
 const float remapSmoothStep = 2.0f;
 
-// The nearest of `levels` flat tones, 2 or more, from 0 to 1; each takes an equal share of the tones.
+// One of `levels` flat tones, 2 or more, from 0 to 1; each takes an equal share of the tones.
 float toonSteps(float tone, float levels)
 {
   float last = max(levels, 2.0f) - 1.0f;

@@ -1,13 +1,11 @@
 // An image-pattern layer: a tileable screen, moved by a 2D similarity. '@' is the layer's number,
-// FADES whether its octaves cross-fade as inks (or else blend as screens), LEVEL the mip level of
-// its tile, ASPECT the tile's width over its height, PERIOD the texels of level 0 in a
-// period. All are constants: software OpenGL reads a uniform anew in every turn of a loop.
+// LEVEL the mip level of its tile, ASPECT the tile's width over its height, PERIOD the texels of level 0
+// in a period, POWER that of the patches' weights. These change seldom, and are constants, as software
+// OpenGL is slow with what might differ from pixel to pixel.
 
 //Section Ink
 uniform sampler2D hachureTile@; // screen and gradient, see tileTexel
-
-//Hachure::Paper::Dec
-//Hachure::Paint::Dec
+uniform vec2 hachureFade@;      // x: 1 where octaves cross-fade as inks, 0 where they blend as screens
 
 // Change of the tile coordinates along x (x) and y (y) of the picture; those of u are at.axis.xy.
 vec2 hachureUp@(HachurePlacement at)
@@ -21,6 +19,9 @@ float hachureFlatness@(HachurePlacement at, float copied)
   return flatShare(1.0, copied, PERIOD / at.octaves.x);
 }
 
+//Hachure::Paper::Dec
+//Hachure::Paint::Dec
+
 // Ink of the pattern where it lies so; field: where octaves blend as screens, the screen and its
 // change across the pixel; share: weight of this ink in what is drawn.
 //
@@ -33,6 +34,7 @@ float hachureInkAt@(HachurePlacement at, vec2 position, float tone, float share,
   float footprint = at.octaves.x;
   float blend = at.octaves.y;
   float column = tableColumn(tone);
+  bool fades = hachureFade@.x > 0.0;
   vec2 first = vec2(0.0);
   float firstInk = 0.0;
   float ink = 0.0;
@@ -43,7 +45,7 @@ float hachureInkAt@(HachurePlacement at, vec2 position, float tone, float share,
     float size = 1.0 + octave;
     vec2 texel = tileTexel(textureLod(hachureTile@, size * uv, LEVEL).rg);
     first = octave > 0.0 ? first : texel;
-    float copied = FADES ? octave : blend;
+    float copied = fades ? octave : blend;
     field = patternField(first, texel, copied, footprint);
     float flatness = hachureFlatness@(at, copied);
     float row = mix(at.octaves.z, at.octaves.w, octave);
@@ -52,7 +54,7 @@ float hachureInkAt@(HachurePlacement at, vec2 position, float tone, float share,
     //Hachure::Paper::Impl
     //Hachure::Paint::Impl
   } while (octave < blend);
-  return FADES ? mix(firstInk, ink, blend > 0.0 ? blend : 1.0) : ink;
+  return fades ? mix(firstInk, ink, blend > 0.0 ? blend : 1.0) : ink;
 }
 
 //Section PaperDec
@@ -132,7 +134,7 @@ float hachureCoverage@(vec2 position, float tone)
 }
 
 //Section Patches
-// Each patch has the tone, and so has the mixture of their inks.
+// Each patch has the tone, and so has the mixture of their inks, unless POWER makes them stronger.
 float hachureCoverage@(vec2 position, float tone)
 {
   float ink = 0.0;
@@ -140,12 +142,12 @@ float hachureCoverage@(vec2 position, float tone)
   HachurePatches rest = hachurePatches;
   do
   {
-    float share = rest.shares.x;
+    float share = pow(rest.shares.x, POWER);
     ink += share *
       hachureInkAt@(hachurePlacementOf(@, rest.numbers.x), position, tone, share, field);
     rest = hachureNextPatches(rest);
   } while (rest.shares.x > 0.0);
-  return ink;
+  return min(ink, 1.0);
 }
 
 //Section MixedPatches

@@ -108,6 +108,8 @@ void vtkImagePatternLayer::DescribeField(hachure::StyleArchive& archive)
     { this->GetLodStartMinValue(), this->GetLodStartMaxValue() });
   archive.number("lodEnd", this, &Self::GetLodEnd, &Self::SetLodEnd,
     { this->GetLodEndMinValue(), this->GetLodEndMaxValue() });
+  archive.number("patchPower", this, &Self::GetPatchPower, &Self::SetPatchPower,
+    { this->GetPatchPowerMinValue(), this->GetPatchPowerMaxValue() });
   archive.choice("transition", this, &Self::GetTransition, &Self::SetTransition,
     { "automatic", "crossFade", "blendScreens" });
   archive.choice("pace", this, &Self::GetPace, &Self::SetPace, { "even", "classic" });
@@ -142,6 +144,7 @@ void vtkImagePatternLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SurfacePeriod: " << this->SurfacePeriod << "\n";
   os << indent << "LodStart: " << this->LodStart << "\n";
   os << indent << "LodEnd: " << this->LodEnd << "\n";
+  os << indent << "PatchPower: " << this->PatchPower << "\n";
   os << indent << "Transition: " << this->Transition << "\n";
   os << indent << "Pace: " << this->Pace << "\n";
   os << indent << "TransitionTime: " << this->TransitionTime << "\n";

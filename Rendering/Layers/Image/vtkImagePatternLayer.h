@@ -233,6 +233,17 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Power to which the weights of patches are raised where they blend (Breslav et al. 2007, section
+   * 3.6). Range 0.1 to 1. 1 (the default): ink equals the tone across borders. Below it there is
+   * more ink near borders; the paper often uses 0.5, as its halftones lose ink there. Screens are
+   * then mixed as inks.
+   */
+  vtkSetClampMacro(PatchPower, double, 0.1, 1.0);
+  vtkGetMacro(PatchPower, double);
+  ///@}
+
+  ///@{
   /** How the pattern of half the size takes over, one of TransitionType; default
    * AUTOMATIC_TRANSITION. No effect where Motion is FIXED_IN_IMAGE or TEXTURE. */
   vtkSetClampMacro(Transition, int, AUTOMATIC_TRANSITION, BLEND_SCREENS);
@@ -304,6 +315,7 @@ private:
   double SurfacePeriod = 0.0;
   double LodStart = 1.3;
   double LodEnd = 1.7;
+  double PatchPower = 1.0;
   int Transition = AUTOMATIC_TRANSITION;
   int Pace = EVEN;
   double TransitionTime = 0.0;

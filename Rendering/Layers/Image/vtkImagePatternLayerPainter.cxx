@@ -146,7 +146,9 @@ std::string vtkImagePatternLayerPainter::GetDeclarations(bool patches) const
     return SurfacePatternLayer;
   }
   const bool several = patches && this->FollowsPatches();
-  const char* coverage = !several ? "One" : this->BlendsScreens() ? "MixedPatches" : "Patches";
+  const double power = this->Layer->GetPatchPower();
+  const bool mixes = this->BlendsScreens() && power == 1.0;
+  const char* coverage = !several ? "One" : mixes ? "MixedPatches" : "Patches";
   const auto section = [](const std::string& name)
   { return vtkPattern::ShaderSection(ImagePatternLayer, name); };
   std::string text = section("Ink") + section(coverage);
@@ -166,12 +168,11 @@ std::string vtkImagePatternLayerPainter::GetDeclarations(bool patches) const
   const std::pair<const char*, double> constants[] = { { "LEVEL",
                                                          this->Tables.front()->options.fixedLevel },
     { "ASPECT", static_cast<double>(tile.width) / tile.height },
-    { "PERIOD", static_cast<double>(tile.width) / tile.periods } };
+    { "PERIOD", static_cast<double>(tile.width) / tile.periods }, { "POWER", power } };
   for (const auto& constant : constants)
   {
     vtkShaderProgram::Substitute(text, constant.first, std::to_string(constant.second));
   }
-  vtkShaderProgram::Substitute(text, "FADES", this->BlendsScreens() ? "false" : "true");
   return text;
 }
 
@@ -424,6 +425,8 @@ void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const s
     this->SetSurfaceUniforms(program, number, static_cast<double>(rows.First));
     return;
   }
+  const float fade[2] = { this->BlendsScreens() ? 0.0f : 1.0f, 0.0f };
+  program->SetUniform2f(("hachureFade" + number).c_str(), fade);
   if (this->Paper)
   {
     this->SetPaperUniforms(program, number);

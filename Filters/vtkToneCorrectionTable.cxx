@@ -24,6 +24,8 @@ vtkStandardNewMacro(vtkToneCorrectionTable);
 
 static_assert(vtkToneCorrectionTable::NO_TRANSITION == int(hachure::LodTransition::none) &&
     vtkToneCorrectionTable::BLEND_SCREENS == int(hachure::LodTransition::blendScreens) &&
+    vtkToneCorrectionTable::EVEN == int(hachure::LodPace::even) &&
+    vtkToneCorrectionTable::CLASSIC == int(hachure::LodPace::classic) &&
     vtkToneCorrectionTable::TRANSITION_ONLY == int(hachure::ToneCorrection::transitionOnly) &&
     vtkToneCorrectionTable::NO_CORRECTION == int(hachure::ToneCorrection::off),
   "the same order on both sides");
@@ -104,6 +106,7 @@ int vtkToneCorrectionTable::RequestData(
     options.lodStart = this->LodStart;
     options.lodEnd = this->LodEnd;
     options.transition = static_cast<hachure::LodTransition>(this->Transition);
+    options.pace = static_cast<hachure::LodPace>(this->Pace);
     options.correction = static_cast<hachure::ToneCorrection>(this->ToneCorrection);
     writeTable(hachure::buildToneTable(hachure::mipChain(tile), options), output);
   }
@@ -123,5 +126,6 @@ void vtkToneCorrectionTable::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LodStart: " << this->LodStart << "\n";
   os << indent << "LodEnd: " << this->LodEnd << "\n";
   os << indent << "Transition: " << this->Transition << "\n";
+  os << indent << "Pace: " << this->Pace << "\n";
   os << indent << "ToneCorrection: " << this->ToneCorrection << "\n";
 }

@@ -71,6 +71,21 @@ public:
 
   ///@{
   /**
+   * How the weight of the half-size copy grows with the scale. EVEN (the default): the picture
+   * changes equally much with every part of the growth. CLASSIC: in proportion to the scale. The
+   * rows of blended screens go by the weight, so that their scales follow the pace.
+   */
+  enum PaceType
+  {
+    EVEN = 0,
+    CLASSIC = 1
+  };
+  vtkSetClampMacro(Pace, int, EVEN, CLASSIC);
+  vtkGetMacro(Pace, int);
+  ///@}
+
+  ///@{
+  /**
    * Which difference between tone and ink is removed. FULL_CORRECTION (the default): all, mean ink
    * is the tone. TRANSITION_ONLY: what changes with the scale; ink stays what the screen itself
    * gives at scale 1. NO_CORRECTION: none, the threshold is the tone.
@@ -100,6 +115,7 @@ protected:
   double LodStart = 1.3;
   double LodEnd = 1.7;
   int Transition = BLEND_SCREENS;
+  int Pace = EVEN;
   int ToneCorrection = FULL_CORRECTION;
 
 private:

@@ -336,7 +336,8 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
     {
       program->SetUniform3f(("hachureRemap" + number).c_str(), &remap.x);
     }
-    drawn.Painter->SetUniforms(program, number, frame, { row, this->TableRows });
+    drawn.Painter->SetUniforms(
+      program, number, frame, this->OctaveOf(drawn.Layer, 0), { row, this->TableRows });
     row += drawn.Painter->GetTableRows().size() / tableTones;
   }
   if (this->GetAttributes().Patches)
@@ -371,6 +372,14 @@ void vtkPatternCompositor::SetPatchUniforms(
   }
 }
 
+const hachure::TimedOctave* vtkPatternCompositor::OctaveOf(
+  vtkPatternLayer* layer, std::size_t patch) const
+{
+  const auto found = this->TimedOctaves.find(layer);
+  return found != this->TimedOctaves.end() && patch < found->second.size() ? &found->second[patch]
+                                                                           : nullptr;
+}
+
 void vtkPatternCompositor::UploadPlacements(const std::vector<hachure::PatternFrame>& frames)
 {
   const hachure::PatternFrame still;
@@ -381,8 +390,9 @@ void vtkPatternCompositor::UploadPlacements(const std::vector<hachure::PatternFr
     std::size_t row = 0;
     for (const Drawn& drawn : this->Layers)
     {
-      const auto placement = drawn.Painter->GetPlacement(
-        index < frames.size() ? frames[index] : still, { row, this->TableRows });
+      const auto placement =
+        drawn.Painter->GetPlacement(index < frames.size() ? frames[index] : still,
+          this->OctaveOf(drawn.Layer, index), { row, this->TableRows });
       texels.insert(texels.end(), placement.begin(), placement.end());
       row += drawn.Painter->GetTableRows().size() / tableTones;
     }

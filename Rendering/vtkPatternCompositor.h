@@ -43,6 +43,11 @@ public:
   /// What the layers must know of the surface.
   vtkPatternAttributes GetAttributes() const;
 
+  /// Which octave of a layer's pattern every patch draws, for the draws that follow; layers that
+  /// are not there go by the scale.
+  using Octaves = std::map<vtkPatternLayer*, std::vector<hachure::TimedOctave>>;
+  void SetOctaves(const Octaves& octaves) { this->TimedOctaves = octaves; }
+
   /// Functions and uniforms; defines hachureCompose() and hachureLogicalPosition(). forward: for
   /// the shader of a translucent surface, which has no attribute images.
   std::string GetShaderText(bool forward) const;
@@ -68,10 +73,12 @@ private:
   void SetSurfaceUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
   void SetPatchUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
   void UpdateTables(vtkOpenGLRenderWindow* window);
+  const hachure::TimedOctave* OctaveOf(vtkPatternLayer* layer, std::size_t patch) const;
   void UploadPlacements(const std::vector<hachure::PatternFrame>& frames);
 
   std::map<vtkSmartPointer<vtkPatternLayer>, std::unique_ptr<vtkPatternLayerPainter>> Painters;
   std::vector<Drawn> Layers;
+  Octaves TimedOctaves;
   std::string ShaderText;
   vtkNew<vtkTextureObject> Tables;
   std::vector<std::pair<vtkPatternLayerPainter*, unsigned long>> TableState;

@@ -422,6 +422,7 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   vtkPatternMapper* steering = lowDetail ? this->TrackedMapper.Get() : this;
   auto* track = vtkPatternViewContext::Get(renderer)->Advance(steering, actor, viewport, lowDetail);
   this->Report(track->Problem, this->Internal->ReportedProblem);
+  part.Compositor.SetOctaves(track->Octaves);
   // One eye's picture tells nothing new of a view that was measured already.
   const bool otherEye =
     window->GetStereoRender() && (!renderer->GetActiveCamera()->GetLeftEye() || !track->Moved);

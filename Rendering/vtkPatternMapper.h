@@ -104,7 +104,8 @@ public:
 
   ///@{
   /**
-   * Time on the camera path, in its unit, and of velocities. Default 0.
+   * Time on the camera path, in its unit, of velocities, and of transitions that take a time.
+   * Default 0.
    */
   vtkSetMacro(AnimationTime, double);
   vtkGetMacro(AnimationTime, double);

@@ -6,6 +6,7 @@
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
+#include "vtkImagePatternLayer.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkNew.h"
@@ -75,6 +76,39 @@ void HandOver(const vtkPatternViewContext::Track& track, const hachure::TrackedS
       view);
   }
   tracker.replaceSamples(samples);
+}
+
+// Octaves of the layers whose transitions take a time, after `passed` of it; still: those that are
+// known stay as they are. Those of layers that the style no longer has are forgotten.
+vtkPatternViewContext::Track::LayerOctaves Advanced(
+  const vtkPatternViewContext::Track::LayerOctaves& known, vtkPatternStyle* style,
+  hachure::Span<const hachure::PatternFrame> frames, double passed, bool still)
+{
+  vtkPatternViewContext::Track::LayerOctaves octaves;
+  for (int i = 0; i < style->GetNumberOfLayers(); ++i)
+  {
+    auto* layer = vtkImagePatternLayer::SafeDownCast(style->GetLayer(i));
+    if (!layer || !(layer->GetTransitionTime() > 0.0))
+    {
+      continue;
+    }
+    const hachure::TimedOctaveOptions options{ layer->GetLodStart(),
+      std::max(layer->GetLodStart(), layer->GetLodEnd()), layer->GetTransitionTime() };
+    const auto found = known.find(layer);
+    std::vector<hachure::TimedOctave>& patches = octaves[layer];
+    if (found != known.end())
+    {
+      patches = found->second;
+    }
+    const std::size_t first = still ? std::min(patches.size(), frames.size()) : 0;
+    patches.resize(frames.size());
+    for (std::size_t patch = first; patch < frames.size(); ++patch)
+    {
+      patches[patch] =
+        hachure::advanceOctave(patches[patch], glm::length(frames[patch].u), passed, options);
+    }
+  }
+  return octaves;
 }
 
 // Whoever takes a screenshot hands back cameras that have lost their last digits.
@@ -172,6 +206,7 @@ void vtkPatternViewContext::Reanchor(vtkPatternMapper* mapper)
     if (track->Mapper == mapper)
     {
       track->Tracker.reanchor();
+      track->KnownOctaves.clear();
       track->View = hachure::ViewProjection();
       track->Visibility.Forget();
     }
@@ -270,6 +305,8 @@ void vtkPatternViewContext::Predict(Track& track, const vtkPatternViewport& view
   if (style->GetTrackingMode() == vtkPatternStyle::ANCHORED)
   {
     track.Frames = track.Mapper->AnchoredFrames(samples, view, this->Renderer);
+    track.KnownOctaves.clear();
+    track.Octaves.clear();
     return;
   }
   const bool stereo = this->Renderer->GetRenderWindow()->GetStereoRender() != 0;
@@ -282,6 +319,7 @@ void vtkPatternViewContext::Predict(Track& track, const vtkPatternViewport& view
   {
     this->AdvanceTracker(track, samples, view, changed);
   }
+  track.Octaves = track.KnownOctaves;
   if (stereo)
   {
     track.Frames =
@@ -301,6 +339,7 @@ void vtkPatternViewContext::LookOn(Track& track, const hachure::TrackedSamples& 
   {
     const auto drawn = track.Tracker.drawn();
     track.Frames.assign(drawn.begin(), drawn.end());
+    track.Octaves = track.KnownOctaves;
     return;
   }
   hachure::PatternTracker copy(track.Tracker);
@@ -309,6 +348,8 @@ void vtkPatternViewContext::LookOn(Track& track, const hachure::TrackedSamples& 
     HandOver(track, samples, view, copy);
   }
   track.Frames = copy.preview(samples, view);
+  track.Octaves =
+    Advanced(track.KnownOctaves, track.Mapper->GetStyle(), track.Frames, TimePassed(track), false);
 }
 
 void vtkPatternViewContext::AdvanceTracker(Track& track, const hachure::TrackedSamples& samples,
@@ -334,6 +375,7 @@ void vtkPatternViewContext::AdvanceTracker(Track& track, const hachure::TrackedS
   track.Moved = changed || replaced || track.Tracker.drawn().empty() ||
     !NearlyEqual(view, track.View, sameViewTolerance);
   track.Frame = this->FrameNumber;
+  const double passed = TimePassed(track);
   track.DataTime = DataTimeOf(track.Mapper->GetInputDataObject(0, 0));
   track.AnimationTime = track.Mapper->GetAnimationTime();
   if (track.Moved)
@@ -341,6 +383,8 @@ void vtkPatternViewContext::AdvanceTracker(Track& track, const hachure::TrackedS
     track.Tracker.advance(samples, view);
     track.View = view;
   }
+  track.KnownOctaves = Advanced(track.KnownOctaves, track.Mapper->GetStyle(), track.Tracker.drawn(),
+    passed, !track.Moved && passed == 0.0);
 }
 
 void vtkPatternViewContext::EndFrame()

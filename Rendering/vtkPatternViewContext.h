@@ -15,6 +15,7 @@
 #define vtkPatternViewContext_h
 
 #include "PatternTracker.h"
+#include "TimedOctave.h"
 #include "vtkObject.h"
 #include "vtkPatternFeatures.h"
 #include "vtkPatternSamples.h"
@@ -23,11 +24,13 @@
 #include "vtkWeakPointer.h"
 
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 class vtkActor;
+class vtkPatternLayer;
 class vtkPatternMapper;
 class vtkPatternStyle;
 class vtkRenderer;
@@ -64,6 +67,11 @@ public:
     double DataTime = std::numeric_limits<double>::quiet_NaN(); // of the last advance
     double AnimationTime = 0.0;
     std::vector<hachure::PatternFrame> Frames; // to draw
+    /// Of every patch, for the layers whose transitions take a time: as of the last advance, and to
+    /// draw.
+    using LayerOctaves = std::map<vtkPatternLayer*, std::vector<hachure::TimedOctave>>;
+    LayerOctaves KnownOctaves;
+    LayerOctaves Octaves;
     std::string Problem; // with an array of the input, empty where there is none
   };
 

@@ -333,6 +333,7 @@ StyleParameter Animation::findParameter(
 void Animation::apply(int frame, Scene& scene) const
 {
   const double time = static_cast<double>(frame) / this->framesPerSecond;
+  scene.setTime(time);
   if (this->camera)
   {
     this->camera->InterpolateCamera(time, scene.camera());
@@ -344,10 +345,6 @@ void Animation::apply(int frame, Scene& scene) const
       mapper->RemoveAllKeyTimes();
       mapper->AddKeyTime(0.0);
       mapper->SetReplayStep(1.0 / this->framesPerSecond);
-    }
-    if (mapper)
-    {
-      mapper->SetAnimationTime(time);
     }
   }
   for (const Track& track : this->turntable)

@@ -76,6 +76,7 @@ void render(const RenderOptions& options)
     }
     else
     {
+      scene.setTime(static_cast<double>(frame) / output.frameRate);
       scene.setView(orbitView(options, frame, output.frames));
     }
     sink.add(scene.draw());

@@ -217,6 +217,15 @@ void Scene::setView(const TurntableView& view)
 }
 
 //----------------------------------------------------------------------------
+void Scene::setTime(double time)
+{
+  if (auto* mapper = vtkPatternMapper::SafeDownCast(this->actor->GetMapper()))
+  {
+    mapper->SetAnimationTime(time);
+  }
+}
+
+//----------------------------------------------------------------------------
 void Scene::setLights(const std::vector<CameraLight>& lights)
 {
   this->renderer->RemoveAllLights();

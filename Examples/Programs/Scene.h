@@ -43,6 +43,8 @@ public:
   vtkCamera* camera() const;
 
   void setView(const TurntableView& view);
+  /// Of the animation, in seconds: what patterns do little by little goes by it.
+  void setTime(double time);
   void setLights(const std::vector<CameraLight>& lights);
 
   /// Draws and reads the picture back, the supersampling factor larger than the output.

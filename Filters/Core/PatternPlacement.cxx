@@ -33,7 +33,8 @@ glm::vec3 tileCoordinate(const glm::dvec2& axis, double size, const glm::dvec2& 
 
 } // namespace
 
-PatternPlacement placePattern(const PatternFrame& frame, const PlacementOptions& options)
+PatternPlacement placePattern(
+  const PatternFrame& frame, const PlacementOptions& options, const TimedOctave* timed)
 {
   requirePositive("tileSize.x", options.tileSize.x);
   requirePositive("tileSize.y", options.tileSize.y);
@@ -43,7 +44,10 @@ PatternPlacement placePattern(const PatternFrame& frame, const PlacementOptions&
   const auto start = static_cast<float>(table.lodStart);
   const auto end = static_cast<float>(table.lodEnd);
   const double length = glm::length(placed.u);
-  const float scale = glsl::wrapScale(static_cast<float>(length));
+  const bool lasts = timed && table.transition == LodTransition::crossFade;
+  const DrawnOctave drawn = lasts ? drawnOctave(*timed, length) : DrawnOctave();
+  const float scale =
+    lasts ? static_cast<float>(drawn.scale) : glsl::wrapScale(static_cast<float>(length));
 
   PatternPlacement placement;
   const glm::dvec2 upright = length > 0.0 ? placed.u / length : glm::dvec2(1.0, 0.0);
@@ -53,10 +57,16 @@ PatternPlacement placePattern(const PatternFrame& frame, const PlacementOptions&
   placement.up =
     tileCoordinate({ -direction.y, direction.x }, scale * options.tileSize.y, placed.origin);
   placement.texelsPerPixel = static_cast<float>(table.texelsPerPixelAtScale1) / scale;
-  placement.blend = follows ? glsl::lodBlend(scale, start, end) : 0.0f;
+  placement.blend = follows ? glsl::lodBlend(scale, start, end, options.contrast) : 0.0f;
+  if (lasts)
+  {
+    // At the pace of the layer, of time in place of growth.
+    const auto share = static_cast<float>(drawn.share);
+    placement.blend = options.contrast > 0.0f ? glsl::evenBlend(share, options.contrast) : share;
+  }
   if (table.transition == LodTransition::blendScreens)
   {
-    placement.row = glm::vec2(glsl::tableRow(scale, start, end));
+    placement.row = glm::vec2(glsl::tableRow(scale, start, end, options.contrast));
   }
   else
   {

@@ -6,6 +6,8 @@
 #include "Similarity.h"
 #include "ToneTable.h"
 
+#include "TimedOctave.h"
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -23,6 +25,8 @@ struct PlacementOptions
   // The table that thresholds are taken from. With the transition `none` the pattern stays fixed in
   // the image, whatever the frame.
   ToneTableOptions table;
+  // Of that table.
+  float contrast = 1.0f;
 };
 
 // Two octaves: the pattern, and its half-size copy at twice the tile coordinates.
@@ -41,8 +45,10 @@ struct PatternPlacement
   glm::vec2 row{ 0.5f, 0.5f };
 };
 
-// Throws std::invalid_argument where a size is not positive.
-PatternPlacement placePattern(const PatternFrame& frame, const PlacementOptions& options);
+// timed: which octaves are drawn, where transitions take a time and do not go by the scale. Screens
+// do not blend then. Throws std::invalid_argument where a size is not positive.
+PatternPlacement placePattern(
+  const PatternFrame& frame, const PlacementOptions& options, const TimedOctave* timed = nullptr);
 
 } // namespace hachure
 

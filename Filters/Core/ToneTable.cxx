@@ -68,12 +68,30 @@ bool blendsScreens(const ToneTableOptions& options)
   return options.transition == LodTransition::blendScreens;
 }
 
-float blendAt(const ToneTableOptions& options, float scale)
+float blendAt(const ToneTableOptions& options, float contrast, float scale)
 {
   return options.transition == LodTransition::none
     ? 0.0f
     : glsl::lodBlend(
-        scale, static_cast<float>(options.lodStart), static_cast<float>(options.lodEnd));
+        scale, static_cast<float>(options.lodStart), static_cast<float>(options.lodEnd), contrast);
+}
+
+// Of blended screens it does not depend on the pattern.
+float screenContrast(const ToneTableOptions& options)
+{
+  return options.pace == LodPace::even ? 1.0f : 0.0f;
+}
+
+float transitionContrast(Span<const PatternTile> mips, const ToneTableOptions& options)
+{
+  if (options.pace != LodPace::even || options.transition != LodTransition::crossFade)
+  {
+    return screenContrast(options);
+  }
+  const double seen =
+    options.seenTexelsPerPixel > 0.0 ? options.seenTexelsPerPixel : options.texelsPerPixelAtScale1;
+  const double middle = std::sqrt(options.lodStart * options.lodEnd);
+  return static_cast<float>(octaveContrast(mips, seen / middle));
 }
 
 // The levels of a tile, and which one is drawn from.
@@ -232,10 +250,11 @@ void measureRow(
   const ToneTableOptions& options = table.options;
   const auto row = static_cast<float>(step);
   const float scale = blendsScreens(options)
-    ? glsl::tableScale(
-        row, static_cast<float>(options.lodStart), static_cast<float>(options.lodEnd))
+    ? glsl::tableScale(row, static_cast<float>(options.lodStart),
+        static_cast<float>(options.lodEnd), screenContrast(options))
     : glsl::octaveScale(row);
-  const float blend = blendsScreens(options) ? blendAt(options, scale) : 0.0f;
+  const float blend =
+    blendsScreens(options) ? blendAt(options, screenContrast(options), scale) : 0.0f;
   const float footprint = static_cast<float>(options.texelsPerPixelAtScale1) / scale;
   invertResponse(measureResponse(measureFields(DrawnTile(mips, options), footprint, blend)), inks,
     &table.threshold[static_cast<std::size_t>(step) * table.tones]);
@@ -263,6 +282,11 @@ void checkArguments(
     check::fail(function, "referenceTexelsPerPixel",
       std::to_string(options.referenceTexelsPerPixel) + ", expected a positive number or 0");
   }
+  if (!(options.seenTexelsPerPixel >= 0.0) || !std::isfinite(options.seenTexelsPerPixel))
+  {
+    check::fail(function, "seenTexelsPerPixel",
+      std::to_string(options.seenTexelsPerPixel) + ", expected a positive number or 0");
+  }
   if (!std::isfinite(options.fixedLevel))
   {
     check::fail(
@@ -283,8 +307,9 @@ int tableRows(LodTransition transition)
 bool operator==(const ToneTableOptions& a, const ToneTableOptions& b)
 {
   return a.texelsPerPixelAtScale1 == b.texelsPerPixelAtScale1 && a.lodStart == b.lodStart &&
-    a.lodEnd == b.lodEnd && a.transition == b.transition && a.correction == b.correction &&
-    a.referenceTexelsPerPixel == b.referenceTexelsPerPixel && a.fixedLevel == b.fixedLevel;
+    a.lodEnd == b.lodEnd && a.transition == b.transition && a.pace == b.pace &&
+    a.correction == b.correction && a.referenceTexelsPerPixel == b.referenceTexelsPerPixel &&
+    a.seenTexelsPerPixel == b.seenTexelsPerPixel && a.fixedLevel == b.fixedLevel;
 }
 
 ToneTable buildToneTable(Span<const PatternTile> mips, const ToneTableOptions& options)
@@ -293,6 +318,7 @@ ToneTable buildToneTable(Span<const PatternTile> mips, const ToneTableOptions& o
   ToneTable table;
   table.options = options;
   table.steps = tableRows(options.transition);
+  table.contrast = transitionContrast(mips, options);
   table.threshold.resize(static_cast<std::size_t>(table.tones) * table.steps);
   if (options.correction == ToneCorrection::off)
   {
@@ -322,7 +348,7 @@ double toneThreshold(const ToneTable& table, double tone, double scale)
   const float column = glsl::tableColumn(static_cast<float>(tone)) * table.tones - 0.5f;
   const float along = blendsScreens(table.options)
     ? glsl::tableRow(static_cast<float>(scale), static_cast<float>(table.options.lodStart),
-        static_cast<float>(table.options.lodEnd))
+        static_cast<float>(table.options.lodEnd), table.contrast)
     : glsl::octaveRow(static_cast<float>(scale));
   const float row = along * table.steps - 0.5f;
   const int left = std::clamp(static_cast<int>(column), 0, table.tones - 2);
@@ -341,7 +367,7 @@ DrawnField drawnField(
 {
   checkArguments("drawnField", mips, options);
   const auto s = static_cast<float>(scale);
-  const float blend = blendsScreens(options) ? blendAt(options, s) : 0.0f;
+  const float blend = blendsScreens(options) ? blendAt(options, screenContrast(options), s) : 0.0f;
   const float footprint = static_cast<float>(options.texelsPerPixelAtScale1) / s;
   const glm::vec2 field = fieldAt(DrawnTile(mips, options), footprint, blend, u, v);
   return { field.x, field.y };
@@ -362,7 +388,7 @@ double drawnInk(Span<const PatternTile> mips, const ToneTable& table, double ton
       static_cast<float>(toneThreshold(table, tone, tableScale)),
       fieldAt(tile, footprint, blend, u, v), glsl::flatShare(s, blend, period));
   };
-  const float blend = blendAt(table.options, s);
+  const float blend = blendAt(table.options, table.contrast, s);
   if (blendsScreens(table.options))
   {
     return ink(blend, scale);

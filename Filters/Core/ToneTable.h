@@ -3,6 +3,7 @@
 #ifndef hachure_ToneTable_h
 #define hachure_ToneTable_h
 
+#include "OctaveContrast.h"
 #include "PatternTile.h"
 
 #include <vector>
@@ -19,6 +20,13 @@ enum class LodTransition
   none,        // it does not
   crossFade,   // inks are mixed: strokes fade in and out and keep their shape
   blendScreens // screens are mixed before the threshold: marks change their shape
+};
+
+// How the weight of the half-size copy grows with the scale; see lodBlend in Kernels/Lod.glsl.
+enum class LodPace
+{
+  even,   // the picture changes equally much with every part of the growth
+  classic // in proportion to the scale (section 3.4)
 };
 
 // Which part of the difference between tone and ink is removed (section 3.5).
@@ -38,10 +46,14 @@ struct ToneTableOptions
   double lodStart = 1.3;
   double lodEnd = 1.7;
   LodTransition transition = LodTransition::blendScreens;
+  LodPace pace = LodPace::even;
   ToneCorrection correction = ToneCorrection::full;
   // Texels per pixel at which transitionOnly looks at the uncorrected screen, where that is not
   // texelsPerPixelAtScale1; 0: it is.
   double referenceTexelsPerPixel = 0.0;
+  // Texels per pixel of the eye at LOD scale 1, where those are not the drawn pixels: the pace of a
+  // transition must not depend on how finely it is drawn. 0: they are.
+  double seenTexelsPerPixel = 0.0;
   // Mip level that both octaves are drawn from, as fixedTileLevel has it; below 0: the levels that
   // fit their footprints.
   double fixedLevel = -1.0;
@@ -52,14 +64,17 @@ bool operator==(const ToneTableOptions& a, const ToneTableOptions& b);
 // Row-major: threshold[row * tones + tone]. Upload as a texture of one float, linear filter,
 // clamped to edge, and look up with the functions of Kernels/PatternField.glsl.
 // Column i is tone i / 255 (tableColumn). With blendScreens the scale of row k is
-// tableScale(k, lodStart, lodEnd), row 0 scale 1 and the last row, its equal, scale 2 (tableRow);
-// otherwise the table is that of a single octave, octaveScale(k), from 1/2 to 2 (octaveRow).
-// Thresholds grow with the tone and may lie outside [0, 1].
+// tableScale(k, lodStart, lodEnd, contrast), row 0 scale 1 and the last row, its equal, scale 2
+// (tableRow); otherwise the table is that of a single octave, octaveScale(k), from 1/2 to 2
+// (octaveRow). Thresholds grow with the tone and may lie outside [0, 1].
 struct ToneTable
 {
   int tones = 256;
   int steps = 0; // tableSteps with blendScreens, otherwise octaveSteps of PatternField.glsl
   std::vector<float> threshold;
+  // Of the octaves, as lodBlend takes it: 0 with the classic pace; octaveContrast() half way where
+  // inks cross-fade. Screens have equal variance at every size.
+  float contrast = 1.0f;
   ToneTableOptions options;
 };
 

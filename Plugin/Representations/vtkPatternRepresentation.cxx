@@ -280,6 +280,8 @@ void vtkPatternRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PatternLockRotation: " << this->PatternLockRotation << "\n";
   os << indent << "PatternLockScale: " << this->PatternLockScale << "\n";
   os << indent << "PatternTransition: " << this->PatternTransition << "\n";
+  os << indent << "PatternPace: " << this->PatternPace << "\n";
+  os << indent << "PatternTransitionTime: " << this->PatternTransitionTime << "\n";
   os << indent << "PatternTransitionScales: " << this->PatternTransitionScales << "\n";
   os << indent << "PatternTransitionRange: " << this->PatternTransitionRange[0] << ", "
      << this->PatternTransitionRange[1] << "\n";

@@ -633,6 +633,26 @@ public:
   ///@}
 
   ///@{
+  /** At which pace they do so: AS_IN_STYLE, or vtkImagePatternLayer's EVEN (0) or CLASSIC (1).
+   * Default AS_IN_STYLE. */
+  void SetPatternPace(int choice)
+  {
+    this->Choose(this->PatternPace, choice, vtkImagePatternLayer::CLASSIC);
+  }
+  vtkGetMacro(PatternPace, int);
+  ///@}
+
+  ///@{
+  /** Time that they take in all layers, in units of the data's time: 0, the default, as in the
+   * style, which is by scale unless the style says otherwise. Range 0 to 1000. */
+  void SetPatternTransitionTime(double time)
+  {
+    this->Change(this->PatternTransitionTime, std::clamp(time, 0.0, 1000.0));
+  }
+  vtkGetMacro(PatternTransitionTime, double);
+  ///@}
+
+  ///@{
   /** At which scales they do so in all layers: AS_IN_STYLE, or 0 for PatternTransitionRange.
    * Default AS_IN_STYLE. */
   void SetPatternTransitionScales(int choice)
@@ -833,6 +853,8 @@ private:
   int PatternLockRotation = AS_IN_STYLE;
   int PatternLockScale = AS_IN_STYLE;
   int PatternTransition = AS_IN_STYLE;
+  int PatternPace = AS_IN_STYLE;
+  double PatternTransitionTime = 0.0;
   int PatternTransitionScales = AS_IN_STYLE;
   double PatternTransitionRange[2] = { 1.3, 1.7 };
   int PatternWeights = AS_IN_STYLE;

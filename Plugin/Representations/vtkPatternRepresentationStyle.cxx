@@ -221,6 +221,14 @@ void vtkPatternRepresentation::AdjustMarksMotion(vtkImagePatternLayer* layer)
   {
     layer->SetTransition(this->PatternTransition);
   }
+  if (this->PatternPace != AS_IN_STYLE)
+  {
+    layer->SetPace(this->PatternPace);
+  }
+  if (this->PatternTransitionTime > 0.0)
+  {
+    layer->SetTransitionTime(this->PatternTransitionTime);
+  }
   if (this->PatternTransitionScales != AS_IN_STYLE)
   {
     layer->SetLodStart(this->PatternTransitionRange[0]);

@@ -9,6 +9,7 @@
 #define vtkPatternLayerPainter_h
 
 #include "PatternTracker.h"
+#include "TimedOctave.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -81,14 +82,16 @@ public:
     std::size_t RowsOfAll;
   };
 
-  /// Values for one draw; `frame` is where the pattern lies now, in logical pixels.
+  /// Values for one draw; `frame` is where the pattern lies now, in logical pixels, `octave` the
+  /// octave of it that is drawn, null where that goes by the scale.
   virtual void SetUniforms(vtkShaderProgram* program, const std::string& number,
-    const hachure::PatternFrame& frame, const TablePart& rows) = 0;
+    const hachure::PatternFrame& frame, const hachure::TimedOctave* octave,
+    const TablePart& rows) = 0;
 
   /// What a shader must know of a pattern that lies there; see HachurePlacement in
   /// PatternCompose.glsl.
-  virtual std::array<glm::vec4, 2> GetPlacement(
-    const hachure::PatternFrame& frame, const TablePart& rows) const = 0;
+  virtual std::array<glm::vec4, 2> GetPlacement(const hachure::PatternFrame& frame,
+    const hachure::TimedOctave* octave, const TablePart& rows) const = 0;
 
   virtual void Activate() = 0;
   virtual void Deactivate() = 0;

@@ -113,24 +113,68 @@ TEST(Kernels, ScaleWrapsByOctaves)
   }
   EXPECT_EQ(glsl::wrapScale(0.0f), 1.0f);
   EXPECT_EQ(glsl::wrapScale(-3.0f), 1.0f);
-  EXPECT_EQ(glsl::lodBlend(1.2f, 1.3f, 1.7f), 0.0f);
-  EXPECT_EQ(glsl::lodBlend(1.8f, 1.3f, 1.7f), 1.0f);
-  EXPECT_NEAR(glsl::lodBlend(1.5f, 1.3f, 1.7f), 0.5f, 1e-6f);
-  EXPECT_EQ(glsl::lodBlend(1.5f, 1.5f, 1.5f), 1.0f);
+}
+
+TEST(Kernels, HalfSizeCopyTakesOverBetweenTwoScales)
+{
+  for (const float contrast : { 0.0f, 0.6f, 1.0f })
+  {
+    EXPECT_EQ(glsl::lodBlend(1.2f, 1.3f, 1.7f, contrast), 0.0f);
+    EXPECT_EQ(glsl::lodBlend(1.3f, 1.3f, 1.7f, contrast), 0.0f);
+    EXPECT_EQ(glsl::lodBlend(1.7f, 1.3f, 1.7f, contrast), 1.0f);
+    EXPECT_EQ(glsl::lodBlend(1.8f, 1.3f, 1.7f, contrast), 1.0f);
+    EXPECT_NEAR(glsl::lodBlend(1.30001f, 1.3f, 1.7f, contrast), 0.0f, 1e-4f);
+    EXPECT_NEAR(glsl::lodBlend(1.69999f, 1.3f, 1.7f, contrast), 1.0f, 1e-4f);
+    EXPECT_EQ(glsl::lodBlend(1.5f, 1.5f, 1.5f, contrast), 1.0f);
+    EXPECT_EQ(glsl::lodBlend(1.49f, 1.5f, 1.5f, contrast), 0.0f);
+    for (const float blend : { 0.0f, 0.1f, 0.5f, 0.8f, 1.0f })
+    {
+      const float scale = glsl::lodScale(blend, 1.3f, 1.7f, contrast);
+      EXPECT_NEAR(glsl::lodBlend(scale, 1.3f, 1.7f, contrast), blend, 1e-5f);
+    }
+  }
+  EXPECT_NEAR(glsl::lodBlend(1.5f, 1.3f, 1.7f, 0.0f), 0.5f, 1e-6f);
+  EXPECT_NEAR(glsl::lodBlend(std::sqrt(1.3f * 1.7f), 1.3f, 1.7f, 1.0f), 0.5f, 1e-6f);
+}
+
+TEST(Kernels, EvenPaceTurnsThePictureEquallyFarWithEqualGrowth)
+{
+  // Mixed from pictures at right angles, the picture is the vector (1 - t, contrast t).
+  constexpr int steps = 12;
+  for (const float contrast : { 0.6f, 1.0f })
+  {
+    const auto picture = [&](int step)
+    {
+      const float scale = 1.3f * std::pow(1.7f / 1.3f, static_cast<float>(step) / steps);
+      const float t = glsl::lodBlend(scale, 1.3f, 1.7f, contrast);
+      return glm::normalize(glm::vec2(1.0f - t, contrast * t));
+    };
+    for (int step = 0; step < steps; ++step)
+    {
+      const glm::vec2 from = picture(step);
+      const glm::vec2 to = picture(step + 1);
+      const float angle = std::asin(from.x * to.y - from.y * to.x);
+      EXPECT_NEAR(angle, glsl::quarterTurn / steps, 2e-6f) << contrast << " " << step;
+    }
+  }
 }
 
 TEST(Kernels, TableRowAndScaleAreInverse)
 {
-  for (const glm::vec2 lod : { glm::vec2(1.3f, 1.7f), glm::vec2(1.01f, 1.99f) })
+  for (const float contrast : { 0.0f, 0.6f, 1.0f })
   {
-    for (int row = 0; row < static_cast<int>(glsl::tableSteps); ++row)
+    for (const glm::vec2 lod : { glm::vec2(1.3f, 1.7f), glm::vec2(1.01f, 1.99f) })
     {
-      const float scale = glsl::tableScale(static_cast<float>(row), lod.x, lod.y);
-      EXPECT_NEAR(glsl::tableRow(scale, lod.x, lod.y) * glsl::tableSteps - 0.5f, row, 1e-3f);
+      for (int row = 0; row < static_cast<int>(glsl::tableSteps); ++row)
+      {
+        const float scale = glsl::tableScale(static_cast<float>(row), lod.x, lod.y, contrast);
+        EXPECT_NEAR(
+          glsl::tableRow(scale, lod.x, lod.y, contrast) * glsl::tableSteps - 0.5f, row, 1e-3f);
+      }
     }
+    EXPECT_FLOAT_EQ(glsl::tableScale(0.0f, 1.3f, 1.7f, contrast), 1.0f);
+    EXPECT_FLOAT_EQ(glsl::tableScale(glsl::tableSteps - 1.0f, 1.3f, 1.7f, contrast), 2.0f);
   }
-  EXPECT_FLOAT_EQ(glsl::tableScale(0.0f, 1.3f, 1.7f), 1.0f);
-  EXPECT_FLOAT_EQ(glsl::tableScale(glsl::tableSteps - 1.0f, 1.3f, 1.7f), 2.0f);
 }
 
 TEST(Kernels, MixingInLinearLight)

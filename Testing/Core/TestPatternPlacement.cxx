@@ -92,11 +92,33 @@ TEST(PatternPlacement, OctavesMeet)
 
 TEST(PatternPlacement, BlendGoesFromStartToEnd)
 {
-  const PlacementOptions options = fading();
+  PlacementOptions options = fading();
+  const double middle = std::sqrt(1.3 * 1.7);
   EXPECT_EQ(placePattern(scaled(1.3), options).blend, 0.0f);
-  EXPECT_NEAR(placePattern(scaled(1.5), options).blend, 0.5f, 1e-5f);
-  EXPECT_NEAR(placePattern(scaled(0.75), options).blend, 0.5f, 1e-5f);
+  EXPECT_NEAR(placePattern(scaled(middle), options).blend, 0.5f, 1e-5f);
+  EXPECT_NEAR(placePattern(scaled(0.5 * middle), options).blend, 0.5f, 1e-5f);
   EXPECT_EQ(placePattern(scaled(1.71), options).blend, 1.0f);
+  options.contrast = 0.0f; // the classic pace
+  EXPECT_NEAR(placePattern(scaled(1.5), options).blend, 0.5f, 1e-5f);
+}
+
+TEST(PatternPlacement, TimedTransitionsGoByTheirShare)
+{
+  PlacementOptions options = fading();
+  options.contrast = 0.8f;
+  TimedOctave timed{ true, 3, 0.25, 1 };
+  for (const double size : { 1.01, 1.5, 1.99 })
+  {
+    const PatternPlacement placement = placePattern(scaled(8.0 * size), options, &timed);
+    EXPECT_NEAR(placement.blend, glsl::evenBlend(0.25f, 0.8f), 1e-6f);
+    EXPECT_NEAR(placement.texelsPerPixel, options.table.texelsPerPixelAtScale1 / size, 1e-4f);
+  }
+  timed.octave = 4; // drawn alone, smaller than at scale 1
+  timed.share = 0.0;
+  timed.direction = 0;
+  EXPECT_EQ(placePattern(scaled(8.0 * 1.4), options, &timed).blend, 1.0f);
+  options.table.transition = LodTransition::none;
+  EXPECT_EQ(placePattern(scaled(8.0 * 1.4), options, &timed).blend, 0.0f);
 }
 
 TEST(PatternPlacement, EachOctaveHasItsOwnRow)

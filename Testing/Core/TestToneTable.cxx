@@ -67,7 +67,7 @@ std::vector<double> meanInks(
     addInk(mips, table, scale, 1.0, inks);
     return inks;
   }
-  const double blend = glsl::lodBlend(static_cast<float>(scale), 1.3f, 1.7f);
+  const double blend = glsl::lodBlend(static_cast<float>(scale), 1.3f, 1.7f, table.contrast);
   addInk(mips, table, scale, 1.0 - blend, inks);
   addInk(mips, table, 0.5 * scale, blend, inks);
   return inks;
@@ -257,15 +257,41 @@ TEST(ToneTable, CrossFadeMixesTheInksOfBothOctaves)
 {
   const std::vector<PatternTile> mips = mipChain(hatchTile());
   const ToneTable table = buildToneTable(mips, forPeriod(12.0, LodTransition::crossFade));
+  const double quarter = glsl::lodScale(0.25f, 1.3f, 1.7f, table.contrast); // of the second octave
   for (int i = 0; i < 100; ++i)
   {
     const double v = i / 100.0;
     const double first = drawnInk(mips, table, 0.3, 0.0, v, 1.299999); // not faded yet
-    const double middle = drawnInk(mips, table, 0.3, 0.0, v, 1.3 + 0.25 * 0.4);
+    const double middle = drawnInk(mips, table, 0.3, 0.0, v, quarter);
     const bool marked = first > 0.99;
     EXPECT_TRUE(!marked || middle > 0.7) << v;
     EXPECT_LE(middle, first + 0.35) << v;
   }
+}
+
+// An octave whose marks are a pixel wide looks grey beside one of two pixels.
+TEST(ToneTable, FinerOctavesHaveLessContrast)
+{
+  const std::vector<PatternTile> mips = mipChain(hatchTile());
+  const auto contrast = [&](double period, LodTransition transition, LodPace pace)
+  {
+    ToneTableOptions options = forPeriod(period, transition);
+    options.pace = pace;
+    return buildToneTable(mips, options).contrast;
+  };
+  const float coarse = contrast(40.0, LodTransition::crossFade, LodPace::even);
+  const float fine = contrast(8.0, LodTransition::crossFade, LodPace::even);
+  EXPECT_LT(coarse, 1.0f);
+  EXPECT_GT(coarse, 0.9f);
+  // Of strokes as wide as the space between them hardly more than the first harmonic is left.
+  const double wave = glsl::quarterTurn * 4.0 / (8.0 * std::sqrt(1.3 * 1.7));
+  EXPECT_NEAR(fine, std::exp(-0.5 * 13.0 / 12.0 * 3.0 * wave * wave), 0.04);
+  EXPECT_EQ(contrast(8.0, LodTransition::blendScreens, LodPace::even), 1.0f);
+  EXPECT_EQ(contrast(8.0, LodTransition::crossFade, LodPace::classic), 0.0f);
+
+  ToneTableOptions drawnFinely = forPeriod(24.0, LodTransition::crossFade);
+  drawnFinely.seenTexelsPerPixel = 3.0 * drawnFinely.texelsPerPixelAtScale1;
+  EXPECT_NEAR(buildToneTable(mips, drawnFinely).contrast, fine, 1e-6f);
 }
 
 TEST(ToneTable, ThreadsDoNotMatter)

@@ -35,7 +35,7 @@ TEST(ToneTableCache, EverythingThatATableDependsOnMakesANewOne)
 {
   ToneTableCache cache;
   const ToneTableCache::Mips mips = smallTile();
-  std::vector<ToneTableOptions> changed(7);
+  std::vector<ToneTableOptions> changed(9);
   changed[1].texelsPerPixelAtScale1 = 2.0;
   changed[2].lodStart = 1.2;
   changed[3].lodEnd = 1.8;
@@ -43,6 +43,8 @@ TEST(ToneTableCache, EverythingThatATableDependsOnMakesANewOne)
   changed[5].correction = ToneCorrection::transitionOnly;
   changed[6] = changed[5];
   changed[6].referenceTexelsPerPixel = 1.0;
+  changed[7].pace = LodPace::classic;
+  changed[8].seenTexelsPerPixel = 1.0;
   std::vector<ToneTableCache::Table> held;
   for (const ToneTableOptions& options : changed)
   {

@@ -58,3 +58,10 @@ for style, natural, other in (
     usual = draw(zoom, PatternStyle=style)
     assert same(usual, draw(zoom, PatternStyle=style, PatternTransition=natural)), style
     assert scene.difference(usual[-1], draw(zoom, PatternStyle=style, PatternTransition=other)[-1]) > 1, style
+
+# The pace: even unless told otherwise. A transition that takes a time has not begun at one and a half,
+# and in a view that changes while the time stands still it is never half way.
+usual = draw(zoom, PatternStyle="hatch")
+assert same(usual, draw(zoom, PatternStyle="hatch", PatternPace="Even"))
+assert scene.difference(usual[-1], draw(zoom, PatternStyle="hatch", PatternPace="Classic")[-1]) > 0
+assert scene.difference(usual[-1], draw(zoom, PatternStyle="hatch", PatternTransitionTime=1.0)[-1]) > 1

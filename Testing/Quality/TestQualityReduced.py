@@ -17,6 +17,8 @@ SIMILARITY = {"translate": (0.05, 0.002), "rotate": (None, 0.002), "zoom": (0.08
 AVOIDABLE = 0.25  # of the slide on a rotating sphere
 PATCHES = 0.5  # of the slide on a rotating ellipsoid without patches
 JUMP = 0.2  # largest boil while a pattern changes its octave; without a transition it is 0.8
+POP = 3.0  # largest boil over its median, or over 0.001 where that is less, through a whole octave
+CALM = (("octave", "spread"), ("slow octave", "similarity"))  # motions and fields without bursts
 SLOPE = 0.25  # largest growth of frequency with obliquity or distance of a flat pattern
 
 
@@ -90,6 +92,10 @@ def check_octave(rows):
     """Marks give way to those of half the size little by little."""
     assert value(rows, "octave", "similarity", "BoilLargest") <= JUMP
     assert value(rows, "octave", "similarity", "BoilMedian") <= 0.002
+    for motion, field in CALM:
+        pop = value(rows, motion, field, "Pop")
+        print("pop of", field, "with", motion, pop)
+        assert pop <= POP, (motion, field, pop)
 
 
 def check_flicker(rows):

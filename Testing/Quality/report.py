@@ -26,7 +26,8 @@ REDUCED = (
     {"scene": ["sphere"], "motion": ["translate", "rotate", "zoom"],
      "field": ["screen", "texture", "solid", "similarity"], **FLAT_NOISE},
     {"scene": ["sphere"], "motion": ["roll"], "field": ["screen", "texture", "similarity"], **FLAT_NOISE},
-    {"scene": ["sphere"], "motion": ["octave"], "field": ["similarity"], **FLAT_NOISE},
+    {"scene": ["sphere"], "motion": ["octave"], "field": ["similarity", "spread"], **FLAT_NOISE},
+    {"scene": ["sphere"], "motion": ["slow octave"], "field": ["similarity"], **FLAT_NOISE},
     {"scene": ["plane"], "motion": ["approach"], "field": ["similarity"], **FLAT_NOISE},
     {"scene": ["ellipsoid"], "motion": ["rotate"], "field": ["similarity", "patches"], **FLAT_NOISE},
 )
@@ -130,7 +131,8 @@ EXPLANATION = (
     ("solid", "the same, but the size of its marks follows the distance (dynamic solid texture)"),
     ("similarity", "carried by the similarity of the plane that fits the motion of the surface best "
      "(dynamic 2D pattern)"),
-    ("patches", "the same for every part of the surface, divided automatically, blended across borders"),
+    ("spread", "the same, with marks that give way to those of half the size over a whole octave of growth"),
+    ("patches", "similarity for every part of the surface, divided automatically, blended across borders"),
     "People ranked such methods by how well patterns move with the surface: texture mapping and solid "
     "textures first, then dynamic 2D patterns and bidirectional advection, then the shower door (Benard "
     "et al. 2010, section 5). The slide ratio should rank them likewise; bidirectional advection is not "
@@ -142,8 +144,8 @@ EXPLANATION = (
     "so that only a comparison with the screen tells something.",
     "Where the model itself deforms, texture and solid slide, for want of texture coordinates. A zoom "
     "covers less than an octave, within which all marks but those of the screen grow with the surface; "
-    "the motion octave covers one, with the change from marks to those of half the size, and approach, "
-    "too fast to tell slides, three.",
+    "the motions octave and slow octave cover one, with the change from marks to those of half the size, "
+    "and approach, too fast to tell slides, three.",
 )
 
 

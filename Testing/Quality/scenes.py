@@ -93,6 +93,11 @@ def octave(frames):
     return [camera_at((0, 0, DISTANCE * 1.035**-s), (0, 0, 0)) for s in steps(max(frames, 22))]
 
 
+def slow_octave(frames):
+    """A calm zoom: 60 frames, two and a half seconds, until marks on the sphere are twice as large."""
+    return [camera_at((0, 0, DISTANCE * 1.0092**-s), (0, 0, 0)) for s in steps(max(frames, 61))]
+
+
 def roll(frames):
     angles = [math.radians(1.8 * s) for s in steps(frames)]
     return [camera_at((0, 0, DISTANCE), (0, 0, 0), (math.sin(a), math.cos(a), 0)) for a in angles]
@@ -119,10 +124,10 @@ def still(frames):
 
 
 # Of the camera. Where the objects move it is still.
-MOTIONS = {"translate": translate, "rotate": rotate, "zoom": zoom, "octave": octave, "roll": roll,
-           "walk": walk, "approach": approach, "deform": still, "scale": still}
+MOTIONS = {"translate": translate, "rotate": rotate, "zoom": zoom, "octave": octave,
+           "slow octave": slow_octave, "roll": roll, "walk": walk, "approach": approach, "deform": still, "scale": still}
 # Only for some scenes: those that are large enough, and those that tell all there is to tell.
-CHOSEN = {"approach": ("plane",), "octave": ("sphere", "ellipsoid")}
+CHOSEN = {"approach": ("plane",), "octave": ("sphere", "ellipsoid"), "slow octave": ("sphere",)}
 # Too fast to tell slides. All others cover too few octaves to tell how size goes with distance.
 FAST = {"approach"}
 
@@ -143,13 +148,20 @@ def path(scene, motion, surfaces, frames):
     return (deform(surfaces, frames), cameras) if deform else None
 
 
+def spread(layer):
+    layer.SetMotion(layer.SIMILARITY)
+    layer.SetLodStart(1.0)
+    layer.SetLodEnd(2.0)
+
+
 # How the pattern moves: a function that sets up a vtkImagePatternLayer. With "patches" by a similarity
-# for each of the patches that patched() makes.
+# for each of the patches that patched() makes; "spread" changes its octave little by little all the time.
 FIELDS = {
     "screen": lambda layer: layer.SetMotion(layer.FIXED_IN_IMAGE),
     "texture": lambda layer: layer.SetMotion(layer.TEXTURE),
     "solid": lambda layer: layer.SetMotion(layer.DYNAMIC_SOLID),
     "similarity": lambda layer: layer.SetMotion(layer.SIMILARITY),
+    "spread": spread,
     "patches": lambda layer: layer.SetMotion(layer.SIMILARITY),
 }
 PATCHES = 24  # of a surface, from the automatic division

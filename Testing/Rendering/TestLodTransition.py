@@ -109,6 +109,7 @@ def test_strokes_fade_and_dots_morph():
     grey = []
     for transition in TRANSITIONS:
         stage = Stage(LAYER.HALFTONE, transition, size=20)
+        stage.layer.SetPace(LAYER.CLASSIC)  # which is half way at 1.5
         coverage = 1.0 - scene.linear(stage.draw(1.5))[..., 0]
         grey.append((abs(coverage - 0.5) < 0.02).mean())
     assert grey[0] > 0.2 and grey[1] < 0.05, grey

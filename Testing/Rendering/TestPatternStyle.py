@@ -104,6 +104,8 @@ def test_every_parameter_survives():
     layer.SetLodEnd(1.9)
     layer.SetPatchPower(0.5)
     layer.SetTransition(layer.BLEND_SCREENS)
+    layer.SetPace(layer.CLASSIC)
+    layer.SetTransitionTime(0.4)
     layer.SetToneCorrection(layer.TRANSITION_ONLY)
     style.AddLayer(layer)
     style.AddLayer(hachure.vtkImagePatternLayer())

@@ -48,6 +48,27 @@ def test_ink_equals_tone():
         assert abs(ink - tone) <= (0.0 if tone in (0.0, 1.0) else 0.02), (tone, ink)
 
 
+def test_automatic_transition_is_a_cross_fade():
+    # Half black, half white: cross-fading with the copy of half the size adds greys in between.
+    layer = hachure.vtkImagePatternLayer
+    grey = numpy.linspace(0.0, 1.0, 64)[:, None] * numpy.ones(64)
+    shown = []
+    for transition in (layer.AUTOMATIC_TRANSITION, layer.CROSS_FADE, layer.BLEND_SCREENS):
+        style = style_of(image_of(grey))
+        style.GetLayer(0).SetTransition(transition)
+        actor = scene.actor_of(scene.plane(), style)
+        renderer = scene.renderer_of(actor)
+        window = scene.window_of(renderer, size=(128, 128))
+        camera = scene.look(renderer)
+        camera.ParallelProjectionOn()
+        camera.SetParallelScale(1.0)
+        window.Render()
+        camera.SetParallelScale(1.0 / 1.5)
+        shown.append(scene.draw(window))
+    assert (shown[0] == shown[1]).all()
+    assert (shown[0] != shown[2]).any()
+
+
 def test_few_levels_are_noted_once():
     levels = numpy.floor(4.0 * numpy.arange(64) / 64.0)[:, None] * numpy.ones(64)
     ink = ink_of(style_of(image_of(levels.astype(numpy.uint8))))

@@ -25,12 +25,40 @@ float wrapScale(float s)
   return clamp(wrapped, 1.0f, 1.9999999f);
 }
 
-// Weight of the half-size copy at wrapped scale s: 0 up to s0, 1 from s1 on.
-float lodBlend(float s, float s0, float s1)
+const float quarterTurn = 1.5707963267948966f;
+
+// Weight of the half-size copy after a share x of a transition, 0 to 1, so that pictures change at
+// an even pace. Two uncorrelated pictures are at right angles to each other, in the sense that the
+// cosine is the correlation. Mixed by 1 - t and t the picture has turned by the angle
+// a = atan(contrast t / (1 - t)), where contrast is the deviation of the second over that of the
+// first. With a = x pi / 2: t = sin(a) / (sin(a) + contrast cos(a)).
+float evenBlend(float x, float contrast)
 {
-  if (s1 <= s0)
+  float a = quarterTurn * clamp(x, 0.0f, 1.0f);
+  float rise = sin(a);
+  return rise / (rise + contrast * max(cos(a), 0.0f));
+}
+
+// The share of a transition after which a weight is reached: inverse of evenBlend.
+float evenShare(float t, float contrast)
+{
+  return atan(contrast * t, 1.0f - t) / quarterTurn;
+}
+
+// Weight of the half-size copy at wrapped scale s: 0 up to s0, 1 from s1 on. contrast: above 0, at
+// an even pace of relative growth, x = log(s / s0) / log(s1 / s0), for octaves of this contrast; 0,
+// the ramp (s - s0) / (s1 - s0) of Breslav et al. 2007, section 3.4.
+float lodBlend(float s, float s0, float s1, float contrast)
+{
+  if (s <= s0 || s >= s1)
   {
-    return s < s0 ? 0.0f : 1.0f;
+    return s < s1 ? 0.0f : 1.0f;
   }
-  return clamp((s - s0) / (s1 - s0), 0.0f, 1.0f);
+  return contrast > 0.0f ? evenBlend(log(s / s0) / log(s1 / s0), contrast) : (s - s0) / (s1 - s0);
+}
+
+// The wrapped scale of a weight t: inverse of lodBlend.
+float lodScale(float t, float s0, float s1, float contrast)
+{
+  return contrast > 0.0f ? s0 * pow(s1 / s0, evenShare(t, contrast)) : mix(s0, s1, t);
 }

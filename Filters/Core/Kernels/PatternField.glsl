@@ -15,12 +15,12 @@
 //          tile width / (periods across the tile * pixels per period)
 //
 //   float tpp = tpp1 / s;
-//   float t = lodBlend(s, s0, s1);
+//   float t = lodBlend(s, s0, s1, contrast);
 //   vec2 first = tileTexel(textureLod(tile, uv, level).rg);    // may be skipped when t == 1
 //   vec2 second = tileTexel(textureLod(tile, 2 uv, level).rg); // may be skipped when t == 0
 // The octaves blend as screens, so that marks change their shape,
 //   vec2 field = patternField(first, second, t, tpp);
-//   float threshold = texture(table, vec2(tableColumn(tone), tableRow(s, s0, s1))).r;
+//   float threshold = texture(table, vec2(tableColumn(tone), tableRow(s, s0, s1, contrast))).r;
 //   float ink = patternInk(tone, threshold, field, flatShare(s, t, period));
 // or they cross-fade as inks, so that marks keep it; each has the tone, and so has their mixture:
 //   ink = mix(octaveInk(first, s, 0), octaveInk(second, s / 2, 1), t), where octaveInk(...) is
@@ -88,9 +88,9 @@ float tableColumn(float tone)
   return (clamp(tone, 0.0f, 1.0f) * (tableTones - 1.0f) + 0.5f) / tableTones;
 }
 
-// Texture coordinate of a wrapped scale in the table: row 0 is s = 1, the last row is s = 2.
-// 1 <= s0 <= s1 <= 2.
-float tableRow(float s, float s0, float s1)
+// Texture coordinate of a wrapped scale in the table: row 0 is s = 1, the last row is s = 2. Within
+// the transition rows go by the blend, whatever its pace. 1 <= s0 <= s1 <= 2.
+float tableRow(float s, float s0, float s1, float contrast)
 {
   float last = tableSteps - 1.0f;
   float row = last;
@@ -100,7 +100,8 @@ float tableRow(float s, float s0, float s1)
   }
   else if (s < s1)
   {
-    row = tableStepsBefore + (last - tableStepsBefore - tableStepsAfter) * lodBlend(s, s0, s1);
+    row = tableStepsBefore +
+      (last - tableStepsBefore - tableStepsAfter) * lodBlend(s, s0, s1, contrast);
   }
   else
   {
@@ -110,7 +111,7 @@ float tableRow(float s, float s0, float s1)
 }
 
 // The wrapped scale of a row number of the table: inverse of tableRow.
-float tableScale(float row, float s0, float s1)
+float tableScale(float row, float s0, float s1, float contrast)
 {
   float last = tableSteps - 1.0f;
   if (row <= tableStepsBefore)
@@ -121,7 +122,8 @@ float tableScale(float row, float s0, float s1)
   {
     return mix(2.0f, s1, (last - row) / tableStepsAfter);
   }
-  return mix(s0, s1, (row - tableStepsBefore) / (last - tableStepsBefore - tableStepsAfter));
+  float blend = (row - tableStepsBefore) / (last - tableStepsBefore - tableStepsAfter);
+  return lodScale(blend, s0, s1, contrast);
 }
 
 // Texture coordinate of the scale of a single octave, 1/2 to 2, in its table.

@@ -6,7 +6,7 @@ uniform vec4 hachureTurn@;      // tile coordinates of a model position: along x
 uniform vec4 hachureGrowth@;    // times (point, 1): 1 / scale in the picture
 uniform vec4 hachureShape@;     // texels of the tile in x and y, texels per period, tiles per texture coordinate over tiles per model unit (0: no texture coordinates)
 uniform vec4 hachureOctave@;    // LOD start and end, first row of the tone tables, their texels per fragment at scale 1
-uniform vec2 hachureKind@;      // 1: octaves follow the distance; tables of single octaves (0: tables of blended screens)
+uniform vec3 hachureKind@;      // 1: octaves follow the distance; tables of single octaves (0: tables of blended screens); contrast of the octaves
 const float hachureBlendedBlocks@ = 3.0; // obliquity 1, 2 and 4
 
 float hachureTableAt@(float tone, float rows)
@@ -32,7 +32,7 @@ float hachureBlendedThreshold@(float tone, float scale, float across)
   float spread = log2(hachureOctave@.w / max(across, 1.0e-6));
   float oblique = clamp(log2(scale) - spread, 0.0, hachureBlendedBlocks@ - 1.0);
   float block = min(floor(oblique), hachureBlendedBlocks@ - 2.0);
-  float along = tableRow(scale, hachureOctave@.x, hachureOctave@.y);
+  float along = tableRow(scale, hachureOctave@.x, hachureOctave@.y, hachureKind@.z);
   return mix(hachureTableAt@(tone, (block + along) * tableSteps),
     hachureTableAt@(tone, (block + along + 1.0) * tableSteps), oblique - block);
 }
@@ -42,7 +42,9 @@ float hachureProjection@(vec2 at, vec2 alongX, vec2 alongY, float grown, float t
 {
   float scale = hachureKind@.x > 0.0 ? wrapScale(grown) : 1.0;
   float octaves = hachureKind@.x > 0.0 ? exp2(floor(log2(grown / scale) + 0.5)) : 1.0;
-  float blend = hachureKind@.x > 0.0 ? lodBlend(scale, hachureOctave@.x, hachureOctave@.y) : 0.0;
+  float blend = hachureKind@.x > 0.0
+    ? lodBlend(scale, hachureOctave@.x, hachureOctave@.y, hachureKind@.z)
+    : 0.0;
   mat2 turn = octaves * mat2(hachureTurn@.xz, hachureTurn@.yw);
   vec2 uv = turn * at;
   vec2 dx = turn * alongX * hachureShape@.xy;

@@ -112,6 +112,9 @@ void vtkImagePatternLayer::DescribeField(hachure::StyleArchive& archive)
     { this->GetPatchPowerMinValue(), this->GetPatchPowerMaxValue() });
   archive.choice("transition", this, &Self::GetTransition, &Self::SetTransition,
     { "automatic", "crossFade", "blendScreens" });
+  archive.choice("pace", this, &Self::GetPace, &Self::SetPace, { "even", "classic" });
+  archive.number("transitionTime", this, &Self::GetTransitionTime, &Self::SetTransitionTime,
+    { this->GetTransitionTimeMinValue(), this->GetTransitionTimeMaxValue() });
   archive.choice("toneCorrection", this, &Self::GetToneCorrection, &Self::SetToneCorrection,
     { "full", "transitionOnly", "off" });
 }
@@ -143,5 +146,7 @@ void vtkImagePatternLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LodEnd: " << this->LodEnd << "\n";
   os << indent << "PatchPower: " << this->PatchPower << "\n";
   os << indent << "Transition: " << this->Transition << "\n";
+  os << indent << "Pace: " << this->Pace << "\n";
+  os << indent << "TransitionTime: " << this->TransitionTime << "\n";
   os << indent << "ToneCorrection: " << this->ToneCorrection << "\n";
 }

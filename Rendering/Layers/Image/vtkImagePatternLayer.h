@@ -67,13 +67,30 @@ public:
   /**
    * How the image at half the size takes over. CROSS_FADE: by ink, the old strokes fade out and the
    * new ones in. BLEND_SCREENS: by screen, the marks change their shape. AUTOMATIC_TRANSITION:
-   * strokes (HATCH, CROSS_HATCH) cross-fade, screens (HALFTONE, IMAGE) blend.
+   * screens (HALFTONE, STIPPLE, PAPER) blend; strokes (HATCH, CROSS_HATCH, PAINT) and an IMAGE
+   * cross-fade: a drawing blended with its own copy would have shapes that it never had.
    */
   enum TransitionType
   {
     AUTOMATIC_TRANSITION = 0,
     CROSS_FADE = 1,
     BLEND_SCREENS = 2
+  };
+
+  /**
+   * How fast it takes over while the scale s goes from s0 = LodStart to s1 = LodEnd; t is its
+   * weight. EVEN: the picture changes equally much with every part of the growth,
+   * t = sin(a) / (sin(a) + c cos(a)) with a = x pi / 2, x = log(s / s0) / log(s1 / s0).
+   * Uncorrelated pictures, mixed by 1 - t and t, turn by the angle a from the one to the other,
+   * where c is the contrast of the second over that of the first: 1 for blended screens; for inks,
+   * of which the finer ones look paler, it is measured half way. CLASSIC: t = (s - s0) / (s1 - s0)
+   * (Breslav et al. 2007, section 3.4), which changes the picture twice as fast half way as at the
+   * ends.
+   */
+  enum PaceType
+  {
+    EVEN = 0,
+    CLASSIC = 1
   };
 
   /**
@@ -234,6 +251,28 @@ public:
   ///@}
 
   ///@{
+  /** Pace at which the pattern of half the size takes over, one of PaceType; default EVEN. */
+  vtkSetClampMacro(Pace, int, EVEN, CLASSIC);
+  vtkGetMacro(Pace, int);
+  ///@}
+
+  ///@{
+  /**
+   * How long the pattern of half the size takes to take over, in units of time of the animation
+   * (vtkPatternMapper::SetAnimationTime, or the time of the data where they have one), as a rule
+   * seconds. Range 0 to 1000, default 0: by the scale. Above 0 with the motion SIMILARITY, a
+   * transition begins when the size drawn, as a factor of Size, leaves [LodStart/2, LodEnd), and
+   * runs for this time at the Pace, with growth replaced by time; it turns where the pattern
+   * shrinks below LodStart meanwhile, and ends at once where the size drawn would leave [1/2, 2),
+   * and where a view changes without a time that goes on. With LodStart 1 and LodEnd 2 there is no
+   * room for one. Timed transitions cross-fade, whatever
+   * Transition says. The tracking mode ANCHORED remembers nothing: its transitions go by the scale.
+   */
+  vtkSetClampMacro(TransitionTime, double, 0.0, 1000.0);
+  vtkGetMacro(TransitionTime, double);
+  ///@}
+
+  ///@{
   /** Which difference between tone and ink is removed (Breslav et al. 2007, section 3.5), one of
    * ToneCorrectionType; default FULL_CORRECTION. */
   vtkSetClampMacro(ToneCorrection, int, FULL_CORRECTION, NO_CORRECTION);
@@ -278,6 +317,8 @@ private:
   double LodEnd = 1.7;
   double PatchPower = 1.0;
   int Transition = AUTOMATIC_TRANSITION;
+  int Pace = EVEN;
+  double TransitionTime = 0.0;
   int ToneCorrection = FULL_CORRECTION;
 };
 

@@ -255,10 +255,12 @@ hachure::LodTransition vtkImagePatternLayerPainter::Transition() const
   }
   const int set = this->Layer->GetTransition();
   const int pattern = this->Layer->GetPattern();
-  const bool strokes = pattern == vtkImagePatternLayer::HATCH ||
-    pattern == vtkImagePatternLayer::CROSS_HATCH || pattern == vtkImagePatternLayer::PAINT;
-  const bool fades = set == vtkImagePatternLayer::CROSS_FADE ||
-    (set == vtkImagePatternLayer::AUTOMATIC_TRANSITION && strokes);
+  const bool screen = pattern == vtkImagePatternLayer::HALFTONE ||
+    pattern == vtkImagePatternLayer::STIPPLE || pattern == vtkImagePatternLayer::PAPER;
+  const bool lasts =
+    motion == vtkImagePatternLayer::SIMILARITY && this->Layer->GetTransitionTime() > 0.0;
+  const bool fades = lasts || set == vtkImagePatternLayer::CROSS_FADE ||
+    (set == vtkImagePatternLayer::AUTOMATIC_TRANSITION && !screen);
   return fades ? hachure::LodTransition::crossFade : hachure::LodTransition::blendScreens;
 }
 
@@ -295,8 +297,11 @@ hachure::ToneTableOptions vtkImagePatternLayerPainter::TableOptions() const
   options.lodStart = std::min(this->Layer->GetLodStart(), 1.98);
   options.lodEnd = std::max(this->Layer->GetLodEnd(), options.lodStart + 0.01);
   options.transition = this->Transition();
+  options.pace = this->Layer->GetPace() == vtkImagePatternLayer::EVEN ? hachure::LodPace::even
+                                                                      : hachure::LodPace::classic;
   options.correction = this->Correction();
   options.referenceTexelsPerPixel = options.texelsPerPixelAtScale1;
+  options.seenTexelsPerPixel = options.texelsPerPixelAtScale1 * this->CurrentScene.PixelsPerLogical;
   return options;
 }
 
@@ -412,7 +417,7 @@ void vtkImagePatternLayerPainter::Upload(vtkOpenGLRenderWindow* window)
 }
 
 void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const std::string& number,
-  const hachure::PatternFrame& frame, const TablePart& rows)
+  const hachure::PatternFrame& frame, const hachure::TimedOctave* octave, const TablePart& rows)
 {
   program->SetUniformi(("hachureTile" + number).c_str(), this->Texture->GetTextureUnit());
   if (this->OnSurface())
@@ -430,7 +435,7 @@ void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const s
   {
     this->SetPaintUniforms(program, number);
   }
-  const std::array<glm::vec4, 2> placement = this->GetPlacement(frame, rows);
+  const std::array<glm::vec4, 2> placement = this->GetPlacement(frame, octave, rows);
   const char* const names[] = { "hachureAxis", "hachureOctaves" };
   for (std::size_t i = 0; i < placement.size(); ++i)
   {
@@ -443,9 +448,10 @@ void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const s
 }
 
 std::array<glm::vec4, 2> vtkImagePatternLayerPainter::GetPlacement(
-  const hachure::PatternFrame& frame, const TablePart& rows) const
+  const hachure::PatternFrame& frame, const hachure::TimedOctave* octave,
+  const TablePart& rows) const
 {
-  const hachure::PatternPlacement placement = this->Place(frame);
+  const hachure::PatternPlacement placement = this->Place(frame, octave);
   const glm::vec2 row =
     (placement.row + static_cast<float>(rows.First)) / static_cast<float>(rows.RowsOfAll);
   return { glm::vec4(placement.right, placement.up.z),
@@ -453,7 +459,7 @@ std::array<glm::vec4, 2> vtkImagePatternLayerPainter::GetPlacement(
 }
 
 hachure::PatternPlacement vtkImagePatternLayerPainter::Place(
-  const hachure::PatternFrame& frame) const
+  const hachure::PatternFrame& frame, const hachure::TimedOctave* octave) const
 {
   const hachure::PatternTile& tile = this->Tile->front();
   const double width = tile.periods * this->Period / this->CurrentScene.PixelsPerLogical;
@@ -461,7 +467,8 @@ hachure::PatternPlacement vtkImagePatternLayerPainter::Place(
   options.tileSize = { width, width * tile.height / tile.width };
   options.angle = this->Layer->GetAngle() * radiansPerDegree;
   options.table = this->Tables.front()->options;
-  return hachure::placePattern(frame, options);
+  options.contrast = this->Tables.front()->contrast;
+  return hachure::placePattern(frame, options, octave);
 }
 
 double vtkImagePatternLayerPainter::ReferencePeriod(double whole) const
@@ -507,9 +514,10 @@ void vtkImagePatternLayerPainter::SetSurfaceUniforms(
     static_cast<float>(options.lodEnd), static_cast<float>(firstTableRow),
     static_cast<float>(options.texelsPerPixelAtScale1) };
   program->SetUniform4f(("hachureOctave" + number).c_str(), octave);
-  const float kind[2] = { solid ? 1.0f : 0.0f,
-    this->BlendsScreens() ? 0.0f : static_cast<float>(this->TableBlocks) };
-  program->SetUniform2f(("hachureKind" + number).c_str(), kind);
+  const float kind[3] = { solid ? 1.0f : 0.0f,
+    this->BlendsScreens() ? 0.0f : static_cast<float>(this->TableBlocks),
+    this->Tables.front()->contrast };
+  program->SetUniform3f(("hachureKind" + number).c_str(), kind);
 }
 
 std::vector<vtkTextureObject*> vtkImagePatternLayerPainter::UsedTextures()

@@ -33,9 +33,10 @@ public:
   const std::vector<float>& GetTableRows() const override { return this->TableRows; }
   unsigned long GetTableVersion() const override { return this->TableVersion; }
   void SetUniforms(vtkShaderProgram* program, const std::string& number,
-    const hachure::PatternFrame& frame, const TablePart& rows) override;
-  std::array<glm::vec4, 2> GetPlacement(
-    const hachure::PatternFrame& frame, const TablePart& rows) const override;
+    const hachure::PatternFrame& frame, const hachure::TimedOctave* octave,
+    const TablePart& rows) override;
+  std::array<glm::vec4, 2> GetPlacement(const hachure::PatternFrame& frame,
+    const hachure::TimedOctave* octave, const TablePart& rows) const override;
   void Activate() override;
   void Deactivate() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -50,7 +51,8 @@ private:
   hachure::LodTransition Transition() const;
   hachure::ToneCorrection Correction() const;
   bool BlendsScreens() const;
-  hachure::PatternPlacement Place(const hachure::PatternFrame& frame) const;
+  hachure::PatternPlacement Place(
+    const hachure::PatternFrame& frame, const hachure::TimedOctave* octave) const;
   bool OnSurface() const;
   double ReferencePeriod(double whole) const;
   void SetSurfaceUniforms(

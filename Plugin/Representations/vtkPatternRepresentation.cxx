@@ -272,6 +272,7 @@ void vtkPatternRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PatternJoinBlocks: " << this->PatternJoinBlocks << "\n";
   os << indent << "PatternPatchBlendMode: " << this->PatternPatchBlendMode << "\n";
   os << indent << "PatternPatchBlend: " << this->PatternPatchBlend << "\n";
+  os << indent << "PatternPatchPower: " << this->PatternPatchPower << "\n";
   os << indent << "PatternPatchBlendDistance: " << this->PatternPatchBlendDistance << "\n";
   os << indent << "PatternBorderWeights: " << this->PatternBorderWeights << "\n";
   os << indent << "PatternMotion: " << this->PatternMotion << "\n";

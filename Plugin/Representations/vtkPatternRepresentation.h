@@ -562,6 +562,16 @@ public:
   ///@}
 
   ///@{
+  /** Power of the weights of patches in all layers, see vtkImagePatternLayer::SetPatchPower(): 1,
+   * the default, as in the style. Range 0.1 to 1. */
+  void SetPatternPatchPower(double power)
+  {
+    this->Change(this->PatternPatchPower, std::clamp(power, 0.1, 1.0));
+  }
+  vtkGetMacro(PatternPatchPower, double);
+  ///@}
+
+  ///@{
   /** Distance along the surface, on each side of a border, over which patterns fade with DISTANCE,
    * in the units of the data; 0 for sharp borders. Not below 0, default 1. */
   void SetPatternPatchBlendDistance(double distance)
@@ -844,6 +854,7 @@ private:
   int PatternJoinBlocks = 1;
   int PatternPatchBlendMode = vtkPatchBlendWeights::RINGS;
   int PatternPatchBlend = 2;
+  double PatternPatchPower = 1.0;
   double PatternPatchBlendDistance = 1.0;
   int PatternBorderWeights = vtkPatchBlendWeights::EQUAL;
 

@@ -225,6 +225,10 @@ void vtkPatternRepresentation::AdjustMarksMotion(vtkImagePatternLayer* layer)
   {
     layer->SetPace(this->PatternPace);
   }
+  if (this->PatternPatchPower < 1.0)
+  {
+    layer->SetPatchPower(this->PatternPatchPower);
+  }
   if (this->PatternTransitionTime > 0.0)
   {
     layer->SetTransitionTime(this->PatternTransitionTime);

@@ -55,6 +55,8 @@ filtered = scene.HachureSurfacePatches(Input=sides, NumberOfPatches=6)
 assert same(sharp, draw(filtered)), "patches of the data are not used"
 assert same(one, draw(filtered, PatternPatches="None")), "patches of the data where none were asked for"
 blended = draw(name="patches-blended", PatternPatchBlend=2, **automatic)
+strong = draw(PatternPatchBlend=2, PatternPatchPower=0.3, **automatic)
+assert strong.mean() < blended.mean() - 0.2, (strong.mean(), blended.mean())
 weighed = scene.HachurePatchBlendWeights(Input=filtered, Rings=2)
 assert scene.difference(sharp, blended) > 0.5, "blending changes nothing"
 assert same(blended, draw(weighed)), "weights of the data are not used"

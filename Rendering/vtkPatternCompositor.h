@@ -45,7 +45,7 @@ public:
 
   /// Which octave of a layer's pattern every patch draws, for the draws that follow; layers that
   /// are not there go by the scale.
-  using Octaves = std::map<vtkPatternLayer*, std::vector<hachure::TimedOctave>>;
+  using Octaves = std::map<vtkSmartPointer<vtkPatternLayer>, std::vector<hachure::TimedOctave>>;
   void SetOctaves(const Octaves& octaves) { this->TimedOctaves = octaves; }
 
   /// Functions and uniforms; defines hachureCompose() and hachureLogicalPosition(). forward: for

@@ -32,7 +32,7 @@ namespace
 // OpenGL takes.
 std::string VertexText(std::string& fragment)
 {
-  constexpr int vectorsOfAnyOpenGL = 15;
+  constexpr int vectorsOfAnyOpenGL = 16;
   int free = vectorsOfAnyOpenGL - 1; // one is the texture coordinate's
   std::ostringstream declarations;
   std::ostringstream assignments;

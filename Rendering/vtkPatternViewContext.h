@@ -21,6 +21,7 @@
 #include "vtkPatternSamples.h"
 #include "vtkPatternVisibility.h"
 #include "vtkPatternWindowResources.h"
+#include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <limits>
@@ -69,7 +70,8 @@ public:
     std::vector<hachure::PatternFrame> Frames; // to draw
     /// Of every patch, for the layers whose transitions take a time: as of the last advance, and to
     /// draw.
-    using LayerOctaves = std::map<vtkPatternLayer*, std::vector<hachure::TimedOctave>>;
+    using LayerOctaves =
+      std::map<vtkSmartPointer<vtkPatternLayer>, std::vector<hachure::TimedOctave>>;
     LayerOctaves KnownOctaves;
     LayerOctaves Octaves;
     std::string Problem; // with an array of the input, empty where there is none

@@ -108,6 +108,7 @@ std::vector<CameraLight> keyAndFill(const std::array<double, 2>& direction)
 std::vector<std::string> styleNames()
 {
   std::vector<std::string> names;
+  names.reserve(static_cast<std::size_t>(vtkPatternStyle::GetNumberOfPresets()));
   for (int i = 0; i < vtkPatternStyle::GetNumberOfPresets(); ++i)
   {
     names.emplace_back(vtkPatternStyle::GetPresetName(i));

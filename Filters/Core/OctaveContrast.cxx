@@ -67,6 +67,7 @@ std::vector<float> gaussian(double deviation)
     sum += (k == 0 ? 1.0 : 2.0) * values[k];
   }
   std::vector<float> weights;
+  weights.reserve(values.size());
   for (const double value : values)
   {
     weights.push_back(static_cast<float>(value / sum));

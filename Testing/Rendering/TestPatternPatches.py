@@ -145,6 +145,35 @@ def test_tone_holds_across_borders():
             assert error < 0.02, (pattern, places, width, turned, error, case)
 
 
+def test_the_first_corner_of_triangles_does_not_matter():
+    """Patches are told by the last corner, which several triangles may share."""
+    # All turned; by chance; back; and so that few points are the last ones of many triangles.
+    orders = (lambda cells: numpy.ones(len(cells), int),
+              lambda cells: numpy.random.default_rng(1).integers(0, 3, len(cells)),
+              lambda cells: numpy.full(len(cells), 2),
+              lambda cells: 2 - numpy.argmin(cells % 7, axis=1))
+    for width in (0.0, 0.8):
+        data = patch_scene.grid()
+        cells = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        patch_scene.split(data, (-0.3, 0.4), width)
+        actor, renderer, window = flat_view(data, scene.constant_style(HALFTONE, 8, 0.4))
+        for _ in range(6):
+            scene.draw(window)
+            patch_scene.twist(data, -0.3, 2.5, 1.04)
+            patch_scene.twist(data, 0.4, 2.5, 1.02)
+        scene.draw(window)
+        before, frames = scene.draw(window).astype(int), patch_frames(actor, renderer, 3)
+        assert abs(scene.frame_scale(frames[1]) / scene.frame_scale(frames[0]) - 1.0) > 0.1, frames
+        for corners in orders:
+            cells[:] = [numpy.roll(cell, turn) for cell, turn in zip(cells, corners(cells))]
+            data.GetPolys().Modified()
+            after = scene.draw(window).astype(int)
+            # Patterns stay where they were drawn.
+            assert numpy.allclose(patch_frames(actor, renderer, 3), frames), "the patterns moved"
+            difference = numpy.abs(after - before)
+            assert (difference > 16).mean() < 0.001, (width, difference.mean(), difference.max())
+
+
 def test_power_of_weights_strengthens_borders():
     data = patch_scene.grid()
     patch_scene.split(data, (0.0,), 0.8)

@@ -319,7 +319,11 @@ void vtkPatternMapperHelper::AppendPatches(vtkPatternHelperData* data, int repre
   {
     cells.push_back(data->CellCellMap->GetValue(i));
   }
-  const auto firstVertex = static_cast<std::uint32_t>(data->StartVertex);
+  // Where VTK has put the block's points, which other blocks may share.
+  vtkIdType start = 0;
+  vtkIdType total = 0;
+  this->VBOs->ArrayExists("vertexMC", poly->GetPoints()->GetData(), start, total);
+  const auto firstVertex = static_cast<std::uint32_t>(start);
   patches.Append(poly, cells, firstVertex, this->GetMapper()->GetPatchOrigin(), this->Patches);
   this->VertexCount =
     std::max(this->VertexCount, firstVertex + static_cast<std::size_t>(poly->GetNumberOfPoints()));

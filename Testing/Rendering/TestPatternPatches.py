@@ -7,7 +7,7 @@ import numpy
 import patch_scene
 import pattern_scene as scene
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkTable
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkTable
 
 HATCH, CROSS_HATCH, HALFTONE = 0, 1, 2
 
@@ -92,6 +92,33 @@ def test_every_pixel_has_the_pattern_of_its_patch():
         wanted = 10.0 * scale if scale >= 1.0 else 20.0 * scale  # below 1 it is drawn at double size
         half = 0.5 * wanted
         assert min(abs(period - wanted), abs(period - half)) < 0.2, (period, wanted)
+
+
+def test_blocks_have_the_patterns_of_their_patches():
+    """Blocks in patches, each with vertices of its own, look like one surface of the same patches."""
+    def draw_turned(parts):
+        blocks = [patch_scene.grid() for _ in range(parts)]
+        for number, block in enumerate(blocks):
+            patch_scene.split(block)
+            if parts > 1:
+                patch_scene.keep_patch(block, number)
+        data = blocks[0]
+        if parts > 1:
+            data = vtkMultiBlockDataSet()
+            for number, block in enumerate(blocks):
+                data.SetBlock(number, block)
+        actor, renderer, window = flat_view(data, scene.constant_style(HATCH, 8, 0.4))
+        scene.draw(window)
+        for angle in range(1, 21):
+            actor.SetOrientation(0.0, angle, 0.0)
+            pixels = scene.draw(window)
+        return pixels.astype(int), patch_frames(actor, renderer, 2)
+
+    one, frames = draw_turned(1)
+    two, same_frames = draw_turned(2)
+    assert numpy.allclose(frames, same_frames, atol=1e-6), (frames, same_frames)
+    difference = numpy.abs(one - two)
+    assert (difference > 16).mean() < 0.001, (difference.mean(), difference.max())
 
 
 def test_borders_do_not_show_before_the_patches_move():

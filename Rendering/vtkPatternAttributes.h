@@ -26,6 +26,7 @@ struct vtkPatternAttributes
   };
 
   vtkPatternLayerPainter::SurfaceNeed Surface = vtkPatternLayerPainter::NOTHING;
+  bool Colors = false;  ///< the surface's own colours are part of the picture
   bool Outline = false; ///< contours are found in the images
   bool Patches = false; ///< patches are told apart
 
@@ -63,8 +64,8 @@ struct vtkPatternAttributes
 
   bool operator==(const vtkPatternAttributes& other) const
   {
-    return this->Surface == other.Surface && this->Outline == other.Outline &&
-      this->Patches == other.Patches;
+    return this->Surface == other.Surface && this->Colors == other.Colors &&
+      this->Outline == other.Outline && this->Patches == other.Patches;
   }
 };
 

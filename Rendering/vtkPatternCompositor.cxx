@@ -13,6 +13,7 @@
 #include "PatternLayer.h"
 #include "PatternPatchRecords.h"
 #include "PatternPatches.h"
+#include "PatternSeen.h"
 #include "ProcessInks.h"
 #include "SurfacePattern.h"
 #include "ToneCurve.h"
@@ -206,6 +207,7 @@ vtkPatternAttributes vtkPatternCompositor::GetAttributes() const
 {
   vtkPatternAttributes needed;
   needed.Outline = this->Outline;
+  needed.Colors = this->Colors;
   for (const Drawn& layer : this->Layers)
   {
     needed.Surface = std::max(needed.Surface, layer.Painter->GetSurfaceNeed());
@@ -236,11 +238,20 @@ void vtkPatternCompositor::UpdateText(bool plainPaper)
     declarations += declaration;
     calls += "  color = hachureLayer" + number + "(color, position, tones);\n";
   }
+  const bool elsewhere = declarations.find("hachureColorAt") != std::string::npos;
+  this->Colors =
+    !plainPaper || elsewhere || declarations.find("hachureSurfaceHere") != std::string::npos;
   std::string text = std::string(Ink) + Mix + Lod + PatternField + SurfacePattern + PatchBlend +
     ToneCurve + ProcessInks + PatternCompose;
   const vtkPatternAttributes needed = this->GetAttributes();
   vtkShaderProgram::Substitute(text, "//Hachure::Patches::Dec",
     needed.Patches ? std::string(PatternPatches) + PatternPatchRecords : std::string());
+  vtkShaderProgram::Substitute(text, "//Hachure::Seen::Dec",
+    needed.Has(vtkPatternAttributes::POINT) ? std::string(PatternSeen) : std::string());
+  if (!elsewhere)
+  {
+    vtkShaderProgram::Substitute(text, "//Hachure::ColorAt::Dec", std::string());
+  }
   vtkShaderProgram::Substitute(text, "LAYERS", std::to_string(this->Layers.size()));
   vtkShaderProgram::Substitute(text, "PAPER", plainPaper ? "hachurePaper" : "hachureSurfaceHere");
   vtkShaderProgram::Substitute(text, "//Hachure::Layers::Dec", declarations);

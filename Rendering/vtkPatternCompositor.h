@@ -88,6 +88,7 @@ private:
   vtkPatternLayerPainter::Scene CurrentScene;
   int PatchCount = 1;
   bool Outline = false;
+  bool Colors = false;               // the surface's own are part of the picture
   vtkPatternNumberBuffer Placements; // per patch and layer
   std::vector<glm::vec4> PlacementTexels;
   vtkOpenGLRenderWindow* Window = nullptr; // of the last update

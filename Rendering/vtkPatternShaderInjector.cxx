@@ -260,6 +260,16 @@ std::string vtkPatternShaderInjector::ToneText(bool lit, bool lighting) const
   return text;
 }
 
+std::string vtkPatternShaderInjector::StageText(bool colors) const
+{
+  if (this->Stage == FORWARD)
+  {
+    return this->SurfaceOutputs() + Section("Forward");
+  }
+  const std::string text = Section("Attributes") + this->SurfaceOutputs();
+  return colors ? text : text + Section("NoColors");
+}
+
 bool vtkPatternShaderInjector::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
@@ -276,8 +286,7 @@ bool vtkPatternShaderInjector::PostReplaceShaderValues(
   std::string text = Section(lit ? "NormalLit" : "NormalUnlit") + Section(edges) +
     Section("ToneStart") + Section("OwnColor") + this->ToneText(lit, lighting) +
     (this->FlatPaper ? Section("FlatPaper") : std::string()) + this->SurfaceValues() +
-    (this->Stage == ATTRIBUTES ? Section("Attributes") + this->SurfaceOutputs()
-                               : this->SurfaceOutputs() + Section("Forward"));
+    this->StageText(hasEdges || this->Needed.Colors);
   return this->Place(fragmentShader, beforeLight, Section("BeforeLight" + shading)) &&
     this->Place(fragmentShader, afterLight, Section("AfterLight" + shading)) &&
     this->Place(fragmentShader, output, text);

@@ -60,6 +60,7 @@ private:
   std::string SurfaceText(const std::string& ending) const;
   std::string SurfaceValues() const;
   std::string SurfaceOutputs() const;
+  std::string StageText(bool colors) const;
 
   StageType Stage = ATTRIBUTES;
   vtkPatternToneChannels Channels;

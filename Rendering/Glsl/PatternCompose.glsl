@@ -9,34 +9,7 @@ uniform sampler2D hachureToneTables; // thresholds of 256 tones across, the rows
 uniform sampler2D hachureResponses;  // the other way: tones of 256 thresholds (r), and their slope (g)
 uniform float hachureTableRows;      // number of these rows
 
-uniform vec4 hachureClipX; // rows of the matrix from model to clip coordinates
-uniform vec4 hachureClipY;
-uniform vec4 hachureClipW;
-uniform vec2 hachureFragmentSize; // of a fragment in normalised device coordinates
-
-// What layers that lie on the surface know of the point seen; set by hachureSeeSurface and
-// hachureSeeTexture before hachureCompose, where a layer asks for it.
-vec3 hachurePoint = vec3(0.0);  // model coordinates
-vec3 hachureFacet = vec3(0.0, 0.0, 1.0); // normal of the triangle, model coordinates
-vec3 hachurePointDx = vec3(0.0); // change of the point per fragment
-vec3 hachurePointDy = vec3(0.0);
-vec3 hachureTexture = vec3(0.0); // texture coordinates, z: 1 where there are some
-vec4 hachureTextureSlopes = vec4(0.0); // their change per fragment: along x, along y
-
-void hachureSeeSurface(vec3 point, vec3 normal)
-{
-  SurfaceSlopes slopes = surfaceSlopes(point, normal, hachureClipX, hachureClipY, hachureClipW);
-  hachurePoint = point;
-  hachureFacet = normal;
-  hachurePointDx = slopes.alongX * hachureFragmentSize.x;
-  hachurePointDy = slopes.alongY * hachureFragmentSize.y;
-}
-
-void hachureSeeTexture(vec3 coordinates, vec4 slopes)
-{
-  hachureTexture = coordinates;
-  hachureTextureSlopes = slopes;
-}
+//Hachure::Seen::Dec
 
 vec3 hachureSurfaceHere = vec3(0.0); // linear colour of the surface, set by hachureCompose
 

@@ -183,6 +183,10 @@ float hachurePackNormal(vec3 n)
   // Where a tone's data has no number, a quarter of it.
   gl_FragData[0].a = (1.0 - 0.5 * hachureEdge) * (hachureLeastTone < 0.0 ? 0.25 : 1.0);
   gl_FragData[1] = hachureTone;
+//Section NoColors
+  // Nobody looks at them, and the lighting that would make them falls away: a third of the time of a
+  // surface of small triangles in software OpenGL.
+  gl_FragData[0].rgb = vec3(0.0);
 //Section NormalAttribute
   gl_FragData[IMAGE] = vec4(hachurePackNormal(hachureNormal), 0.0, 0.0, 1.0);
 //Section PatchAttribute

@@ -118,6 +118,7 @@ def assemble(text, kernels, pieces):
         ("//Hachure::Outline::Dec", outline.get("Functions", "")),
         ("//Hachure::Outline::Impl", outline.get("Call", "")),
         ("//Hachure::Crease::Impl", outline.get("Crease", "")),
+        ("//Hachure::Seen::Dec", pieces.get("PatternSeen", "")),
         ("//Hachure::ColorAt::Dec", sections(pieces.get("PatternColorAt", "")).get("Images", "")),
         ("//Hachure::Patches::Dec",
          pieces.get("PatternPatches", "") + pieces.get("PatternPatchRecords", "")),

@@ -425,8 +425,6 @@ void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const s
     this->SetSurfaceUniforms(program, number, static_cast<double>(rows.First));
     return;
   }
-  const float fade[2] = { this->BlendsScreens() ? 0.0f : 1.0f, 0.0f };
-  program->SetUniform2f(("hachureFade" + number).c_str(), fade);
   if (this->Paper)
   {
     this->SetPaperUniforms(program, number);
@@ -435,6 +433,8 @@ void vtkImagePatternLayerPainter::SetUniforms(vtkShaderProgram* program, const s
   {
     this->SetPaintUniforms(program, number);
   }
+  const float fade[2] = { this->BlendsScreens() ? 0.0f : 1.0f, 0.0f };
+  program->SetUniform2f(("hachureFade" + number).c_str(), fade);
   const std::array<glm::vec4, 2> placement = this->GetPlacement(frame, octave, rows);
   const char* const names[] = { "hachureAxis", "hachureOctaves" };
   for (std::size_t i = 0; i < placement.size(); ++i)

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hachure_NoiseField_h
+#define hachure_NoiseField_h
+
+#include "NoiseKernels.h"
+#include "Span.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+// The field of a noise on a CPU: kernels summed up at every pixel, normalised, and made uniform.
+namespace hachure
+{
+
+enum class NoiseKind
+{
+  gabor,  // the sum of the kernels (Benard et al. 2010)
+  phasor, // the phase of their complex sum (Tricard et al. 2019): lines of constant contrast
+  spot    // an image in place of the kernel (van Wijk 1991)
+};
+
+// A user's spot: mean 0 is subtracted, rows from the bottom; drawn as large as the kernel's square.
+struct NoiseSpot
+{
+  int width = 0;
+  int height = 0;
+  std::vector<float> values;
+};
+
+// What is seen at the pixels of a rectangle; empty arrays: no such test.
+struct NoiseSurroundings
+{
+  std::array<int, 4> rectangle{ 0, 0, 0, 0 }; // x, y, width, height in the framebuffer
+  Span<const float> depth;          // window depth, row by row from the bottom; 1: nothing is there
+  Span<const std::int32_t> objects; // block seen
+  Span<const std::int32_t> triangles; // triangle seen
+  // Depth in which a pixel counts as on the kernel's plane, per pixel of distance from its centre
+  // times its depth slope, plus this much: window depth, > 0. From once to twice that it fades.
+  float depthTolerance = 1e-4f;
+  bool depthTest = true;         // pixels off the kernel's plane are not drawn to
+  bool partialVisibility = true; // a kernel counts by the share of its disc that is seen
+};
+
+struct NoiseFieldOptions
+{
+  NoiseKind kind = NoiseKind::gabor;
+  double overlap = 32.0; // N', for the distribution
+  const NoiseSpot* spot = nullptr;
+};
+
+// Per pixel of the rectangle.
+struct NoiseField
+{
+  std::vector<float> value; // uniform in [0, 1]; 0 where nothing is seen
+  std::vector<float> width; // change across a pixel, > 0
+};
+
+// Deterministic for any number of threads: a pixel sums its kernels in their order.
+NoiseField noiseField(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
+  const NoiseFieldOptions& options);
+
+// Sums before they are made uniform: what all back ends must agree on. Gabor and spot: the sum (x)
+// and its expected variance, sum of weight^2 envelope^2 / 2 (z; of a spot weight^2 spot^2); phasor:
+// the real (x) and imaginary part (y).
+struct NoiseSums
+{
+  std::vector<float> x, y, z;
+};
+NoiseSums noiseSums(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
+  const NoiseFieldOptions& options);
+
+// The same straight from the definition in double precision, slowly.
+struct NoiseReference
+{
+  std::vector<double> x, y, z;
+};
+NoiseReference noiseReference(Span<const NoiseKernel> kernels,
+  const NoiseSurroundings& surroundings, const NoiseFieldOptions& options);
+
+// Share of a normalised noise of `overlap` kernels that lies below a value, tabulated: cached.
+struct NoiseDistribution
+{
+  double range = 0.0;       // values from -range to range
+  std::vector<float> share; // at equal steps; 0 to 1, growing
+};
+std::shared_ptr<const NoiseDistribution> noiseDistribution(double overlap);
+
+// Thresholds of 256 tones, i / 255, for noise of these kernels (frequency, bandwidth, spread as in
+// NoiseKernelOptions) drawn with inkCoverage: mean ink equals the tone. Measured; cached.
+struct NoiseThresholdOptions
+{
+  NoiseFieldOptions field;
+  double frequency = 0.125;
+  double radius = 16.0;
+  double spread = 0.0;
+  std::uint32_t seed = 1;
+};
+std::vector<float> noiseThresholds(const NoiseThresholdOptions& options);
+
+} // namespace hachure
+
+#endif

@@ -4,6 +4,7 @@
 #define hachure_SurfaceTriangles_h
 
 #include "Core/TriangleMesh.h"
+#include "HachureFiltersModule.h" // for the export macro
 
 #include <vtkType.h>
 
@@ -58,8 +59,8 @@ struct SurfaceTriangles
 /// Throws std::invalid_argument, with a message for the user, when the patch array is missing or is
 /// not one integer per cell, when a cell refers to a point that does not exist, and when a block is
 /// not a vtkPolyData. A null input gives no triangles.
-SurfaceTriangles extractSurfaceTriangles(vtkDataObject* input, const PatchSource& source = {},
-  TriangleChoice choice = TriangleChoice::Drawable);
+HACHUREFILTERS_EXPORT SurfaceTriangles extractSurfaceTriangles(vtkDataObject* input,
+  const PatchSource& source = {}, TriangleChoice choice = TriangleChoice::Drawable);
 } // namespace hachure
 
 #endif

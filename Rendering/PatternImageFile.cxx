@@ -3,6 +3,7 @@
 #include "PatternImageFile.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
 #include "vtkImageReader2.h"
 #include "vtkImageReader2Factory.h"
 #include "vtkNew.h"
@@ -82,6 +83,38 @@ vtkSmartPointer<vtkImageData> readPatternImage(const std::string& fileName)
       "expected one slice, got " + std::to_string(image->GetDimensions()[2]) + " of them");
   }
   return image;
+}
+
+//------------------------------------------------------------------------------
+GreyImage greyImage(vtkImageData* image, const std::string& purpose)
+{
+  if (!image)
+  {
+    throw std::invalid_argument("image: expected an image for the " + purpose + ", found none");
+  }
+  int size[3];
+  image->GetDimensions(size);
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (!scalars || size[0] < 1 || size[1] < 1 || size[2] != 1)
+  {
+    throw std::invalid_argument("image: expected a 2D image with scalars");
+  }
+  const int components = scalars->GetNumberOfComponents();
+  const int colors = components == 2 || components == 4 ? components - 1 : components;
+  GreyImage grey;
+  grey.width = size[0];
+  grey.height = size[1];
+  grey.values.resize(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]));
+  for (std::size_t i = 0; i < grey.values.size(); ++i)
+  {
+    double sum = 0.0;
+    for (int c = 0; c < colors; ++c)
+    {
+      sum += scalars->GetComponent(static_cast<vtkIdType>(i), c);
+    }
+    grey.values[i] = static_cast<float>(sum / colors);
+  }
+  return grey;
 }
 
 } // namespace hachure

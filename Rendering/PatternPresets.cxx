@@ -4,10 +4,13 @@
 
 #include "preset_cmyk.h"
 #include "preset_cross_hatch.h"
+#include "preset_gabor.h"
 #include "preset_halftone.h"
 #include "preset_hatch.h"
 #include "preset_painterly.h"
 #include "preset_paper.h"
+#include "preset_phasor.h"
+#include "preset_spot.h"
 
 namespace hachure
 {
@@ -22,6 +25,9 @@ const std::vector<Preset>& presets()
     { "cmyk", preset_cmyk },
     { "painterly", preset_painterly },
     { "paper", preset_paper },
+    { "gabor", preset_gabor },
+    { "phasor", preset_phasor },
+    { "spot", preset_spot },
   };
   return list;
 }

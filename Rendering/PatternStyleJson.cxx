@@ -5,6 +5,7 @@
 #include "PatternStyleArchive.h"
 #include "vtkImagePatternLayer.h"
 #include "vtkNew.h"
+#include "vtkNoiseLayer.h"
 #include "vtkPatternStyle.h"
 
 #include <algorithm>
@@ -39,7 +40,8 @@ LayerPointer create()
 /** Every type of layer that style files can hold. */
 const std::vector<LayerType>& layerTypes()
 {
-  static const std::vector<LayerType> types = { { "image", create<vtkImagePatternLayer> } };
+  static const std::vector<LayerType> types = { { "image", create<vtkImagePatternLayer> },
+    { "noise", create<vtkNoiseLayer> } };
   return types;
 }
 

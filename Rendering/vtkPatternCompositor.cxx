@@ -216,6 +216,23 @@ vtkPatternAttributes vtkPatternCompositor::GetAttributes() const
   return needed;
 }
 
+bool vtkPatternCompositor::NeedsFields() const
+{
+  return std::any_of(this->Layers.begin(), this->Layers.end(),
+    [](const Drawn& layer) { return layer.Painter->NeedsField(); });
+}
+
+void vtkPatternCompositor::DrawFields(const vtkPatternLayerPainter::FieldScene& scene)
+{
+  for (const Drawn& layer : this->Layers)
+  {
+    if (layer.Painter->NeedsField())
+    {
+      layer.Painter->DrawField(scene);
+    }
+  }
+}
+
 void vtkPatternCompositor::UpdateText(bool plainPaper)
 {
   std::string declarations;

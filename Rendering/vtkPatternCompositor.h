@@ -43,6 +43,10 @@ public:
   /// What the layers must know of the surface.
   vtkPatternAttributes GetAttributes() const;
 
+  /// Whether some layer's field is made for the pixels that are seen, and makes it.
+  bool NeedsFields() const;
+  void DrawFields(const vtkPatternLayerPainter::FieldScene& scene);
+
   /// Which octave of a layer's pattern every patch draws, for the draws that follow; layers that
   /// are not there go by the scale.
   using Octaves = std::map<vtkSmartPointer<vtkPatternLayer>, std::vector<hachure::TimedOctave>>;

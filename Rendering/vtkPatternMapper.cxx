@@ -19,8 +19,10 @@
 #include "vtkOpenGLState.h"
 #include "vtkPatternBlocks.h"
 #include "vtkPatternCompositor.h"
+#include "vtkPatternFieldStage.h"
 #include "vtkPatternLights.h"
 #include "vtkPatternMapperHelper.h"
+#include "vtkPatternNoiseSurface.h"
 #include "vtkPatternNumberBuffer.h"
 #include "vtkPatternPatchRecords.h"
 #include "vtkPatternPatches.h"
@@ -43,6 +45,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <map>
 #include <sstream>
 
@@ -64,6 +67,7 @@ struct vtkPatternMapper::Internals
   vtkPatternPatches Patches;
   vtkPatternPatchRecords PatchRecords;
   glm::dvec3 PatchOrigin{ 0.0 };
+  vtkPatternNoiseSurface NoiseSurface;
   vtkTimeStamp ChannelTime;
   bool UsesTextureCoordinates = false; // once needed, they stay in the vertex buffers
   std::map<vtkWindow*, WindowPart> Windows;
@@ -76,6 +80,7 @@ struct vtkPatternMapper::Internals
   std::string ReportedDevice;
   std::string ReportedNote;
   std::string ReportedProblem;
+  std::string ReportedField;
 };
 
 // All that one Render call hands from step to step.
@@ -491,6 +496,7 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
       this->DrawAttributes(drawing);
     }
     this->UploadPatchRecords(drawing);
+    this->DrawFields(drawing, modelToClip);
     const vtkPatternScreenPass::Scene scene = { drawing.Renderer, drawing.Actor, drawing.Window,
       this->Style, drawing.Viewport, drawing.Rectangle, drawing.Track->Frames, this->GetNanColor(),
       drawing.Part.PatchRecords.Shapes.Texture, drawing.Part.PatchRecords.Weights.Texture };
@@ -511,6 +517,32 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
     this->Stage = DrawStage::Remainder;
     this->Superclass::Render(drawing.Renderer, drawing.Actor);
     this->Stage = DrawStage::Stock;
+  }
+}
+
+void vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToClip)
+{
+  if (!drawing.Part.Compositor.NeedsFields())
+  {
+    return;
+  }
+  double bounds[6];
+  this->GetBounds(bounds);
+  const vtkBoundingBox box(bounds);
+  double center[3];
+  box.GetCenter(center);
+  try
+  {
+    this->Internal->NoiseSurface.Update(this->GetInputDataObject(0, 0));
+    const vtkPatternFieldStage stage = { drawing.Window, *drawing.Part.Resources,
+      this->Internal->NoiseSurface, modelToClip, drawing.Viewport.Drawn, drawing.Rectangle,
+      { center[0], center[1], center[2] }, box.GetDiagonalLength() };
+    stage.Draw(drawing.Part.Compositor);
+    this->Report(std::string(), this->Internal->ReportedField);
+  }
+  catch (const std::exception& problem)
+  {
+    this->Report(problem.what(), this->Internal->ReportedField);
   }
 }
 

@@ -224,6 +224,7 @@ private:
   void RenderForward(Drawing& drawing);
   void DrawAttributes(Drawing& drawing);
   void UploadPatchRecords(Drawing& drawing);
+  void DrawFields(Drawing& drawing, const glm::dmat4& modelToClip);
   bool HasRemainder(vtkActor* actor);
   std::array<double, 3> GetNanColor();
 

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatternSamples.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkPatternBlocks.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -27,19 +25,6 @@ std::uint64_t Mix(std::uint64_t hash, std::uint64_t value)
   return hash;
 }
 
-// Content of a cell array: filters often hand over equal connectivity in a new array.
-std::uint64_t HashCells(vtkCellArray* cells)
-{
-  std::uint64_t hash = static_cast<std::uint64_t>(cells->GetNumberOfCells());
-  vtkDataArray* connectivity = cells->GetConnectivityArray();
-  const vtkIdType count = connectivity->GetNumberOfValues();
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    hash = Mix(hash, static_cast<std::uint64_t>(connectivity->GetComponent(i, 0)));
-  }
-  return hash;
-}
-
 glm::dvec3 Point(vtkPolyData* data, long long id)
 {
   glm::dvec3 point;
@@ -48,53 +33,16 @@ glm::dvec3 Point(vtkPolyData* data, long long id)
 }
 } // namespace
 
-std::vector<vtkPatternSamples::Block> vtkPatternSamples::Collect(
-  vtkDataObject* input, const std::vector<Block>& previous)
-{
-  std::vector<Block> blocks;
-  for (const vtkPattern::Block& found : vtkPattern::Blocks(input))
-  {
-    vtkPolyData* leaf = found.Data;
-    if (!leaf->GetPoints())
-    {
-      continue;
-    }
-    Block block;
-    block.Data = leaf;
-    block.FlatIndex = found.FlatIndex;
-    block.PointCount = static_cast<std::uint64_t>(leaf->GetNumberOfPoints());
-    block.PointTime =
-      std::max(leaf->GetPoints()->GetMTime(), leaf->GetPoints()->GetData()->GetMTime());
-    block.CellTime = std::max(leaf->GetPolys()->GetMTime(), leaf->GetStrips()->GetMTime());
-    const std::size_t index = blocks.size();
-    const bool known = index < previous.size() && previous[index].CellTime == block.CellTime &&
-      previous[index].PointCount == block.PointCount;
-    block.CellHash = known ? previous[index].CellHash
-                           : Mix(HashCells(leaf->GetPolys()), HashCells(leaf->GetStrips()));
-    blocks.push_back(block);
-  }
-  return blocks;
-}
-
 bool vtkPatternSamples::Update(vtkDataObject* input, const Options& options, Surface* replaced)
 {
-  std::vector<Block> blocks = Collect(input, this->Blocks);
-  bool sameCells =
-    blocks.size() == this->Blocks.size() && !(options != this->Current) && this->SetVersion > 0;
-  bool samePoints = sameCells;
-  for (std::size_t i = 0; sameCells && i < blocks.size(); ++i)
-  {
-    sameCells = blocks[i].CellHash == this->Blocks[i].CellHash &&
-      blocks[i].PointCount == this->Blocks[i].PointCount;
-    samePoints = samePoints && blocks[i].PointTime == this->Blocks[i].PointTime &&
-      blocks[i].Data == this->Blocks[i].Data;
-  }
-  this->Blocks = std::move(blocks);
-  if (sameCells && samePoints)
+  const vtkPatternGeometry::Change change = this->Geometry.Update(input);
+  const bool sameSamples =
+    change != vtkPatternGeometry::REPLACED && !(options != this->Current) && this->SetVersion > 0;
+  if (sameSamples && change == vtkPatternGeometry::NOTHING)
   {
     return false;
   }
-  if (!sameCells)
+  if (!sameSamples)
   {
     if (replaced)
     {
@@ -125,7 +73,7 @@ void vtkPatternSamples::Read(const std::string& role, const std::string& name, i
   };
   std::vector<Source> sources;
   std::uint64_t stamp = Mix(this->SetVersion, this->PositionVersion);
-  for (const Block& block : this->Blocks)
+  for (const vtkPatternGeometry::Block& block : this->Geometry.GetBlocks())
   {
     Source source = { block.Data->GetPointData()->GetArray(name.c_str()), true };
     if (!source.Array && where == Association::PointsOrCells)
@@ -225,9 +173,11 @@ void vtkPatternSamples::Sample(vtkDataObject* input, const Options& options)
   for (vtkIdType i = 0; i < count; ++i)
   {
     const auto flatIndex = static_cast<unsigned int>(blockIds->GetComponent(i, 0));
-    const auto found = std::find_if(this->Blocks.begin(), this->Blocks.end(),
-      [flatIndex](const Block& block) { return block.FlatIndex == flatIndex; });
-    this->SampleBlock.push_back(static_cast<std::uint32_t>(found - this->Blocks.begin()));
+    const auto found = std::find_if(this->Geometry.GetBlocks().begin(),
+      this->Geometry.GetBlocks().end(),
+      [flatIndex](const vtkPatternGeometry::Block& block) { return block.FlatIndex == flatIndex; });
+    this->SampleBlock.push_back(
+      static_cast<std::uint32_t>(found - this->Geometry.GetBlocks().begin()));
     this->SampleCorners.push_back({ static_cast<long long>(corners->GetComponent(i, 0)),
       static_cast<long long>(corners->GetComponent(i, 1)),
       static_cast<long long>(corners->GetComponent(i, 2)) });
@@ -235,7 +185,7 @@ void vtkPatternSamples::Sample(vtkDataObject* input, const Options& options)
     this->Barycentrics.emplace_back(
       weights->GetComponent(i, 0), weights->GetComponent(i, 1), weights->GetComponent(i, 2));
     this->Patches.push_back(static_cast<std::int32_t>(patches->GetComponent(i, 0)));
-    vtkPolyData* data = this->Blocks[this->SampleBlock.back()].Data;
+    vtkPolyData* data = this->Geometry.GetBlocks()[this->SampleBlock.back()].Data;
     const auto& ids = this->SampleCorners.back();
     const glm::dvec3 a = Point(data, ids[0]);
     const glm::dvec3 winding = glm::cross(Point(data, ids[1]) - a, Point(data, ids[2]) - a);
@@ -255,7 +205,7 @@ void vtkPatternSamples::Move()
   glm::dvec3 upper(0.0);
   for (std::size_t i = 0; i < count; ++i)
   {
-    vtkPolyData* data = this->Blocks[this->SampleBlock[i]].Data;
+    vtkPolyData* data = this->Geometry.GetBlocks()[this->SampleBlock[i]].Data;
     const auto& ids = this->SampleCorners[i];
     const glm::dvec3 a = Point(data, ids[0]);
     const glm::dvec3 b = Point(data, ids[1]);

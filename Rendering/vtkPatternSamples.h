@@ -7,6 +7,7 @@
 #define vtkPatternSamples_h
 
 #include "SampleProjection.h"
+#include "vtkPatternGeometry.h"
 
 #include <glm/vec3.hpp>
 
@@ -79,23 +80,13 @@ public:
   glm::dvec3 GetCenter() const { return this->Center; }
 
 private:
-  struct Block
-  {
-    vtkPolyData* Data = nullptr;
-    unsigned int FlatIndex = 0;
-    std::uint64_t CellTime = 0;
-    std::uint64_t PointTime = 0;
-    std::uint64_t PointCount = 0;
-    std::uint64_t CellHash = 0;
-  };
-  static std::vector<Block> Collect(vtkDataObject* input, const std::vector<Block>& previous);
   void Sample(vtkDataObject* input, const Options& options);
   void Move();
   void ReadSample(std::size_t sample, vtkDataArray* array, bool ofPoints, double* numbers) const;
 
-  std::vector<Block> Blocks;
+  vtkPatternGeometry Geometry;
   Options Current;
-  std::vector<std::uint32_t> SampleBlock;              // index into Blocks
+  std::vector<std::uint32_t> SampleBlock;              // index into the blocks
   std::vector<std::array<long long, 3>> SampleCorners; // point ids
   std::vector<long long> SampleCell;                   // cell ids
   std::vector<glm::dvec3> Barycentrics;

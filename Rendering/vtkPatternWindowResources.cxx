@@ -162,6 +162,20 @@ vtkTextureObject* vtkPatternWindowResources::CaptureDepth(
   return this->DepthFramebuffer->GetDepthAttachmentAsTextureObject();
 }
 
+std::vector<float> vtkPatternWindowResources::ReadDepth(
+  vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle)
+{
+  std::vector<float> depth(
+    static_cast<std::size_t>(rectangle[2]) * static_cast<std::size_t>(rectangle[3]));
+  window->GetState()->PushFramebufferBindings();
+  this->AttributeFramebuffer->Bind(GL_READ_FRAMEBUFFER);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(rectangle[0], rectangle[1], rectangle[2], rectangle[3], GL_DEPTH_COMPONENT, GL_FLOAT,
+    depth.data());
+  window->GetState()->PopFramebufferBindings();
+  return depth;
+}
+
 void vtkPatternWindowResources::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->AttributeFramebuffer->ReleaseGraphicsResources(window);

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <memory>
+#include <vector>
 
 class vtkOpenGLRenderWindow;
 class vtkWindow;
@@ -35,6 +36,9 @@ public:
   /// Copies a rectangle (x, y, width, height) of the depth of the framebuffer that is drawn to.
   vtkTextureObject* CaptureDepth(
     vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle);
+
+  /// Window depth of the attribute stage in a rectangle, row by row from the bottom.
+  std::vector<float> ReadDepth(vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

@@ -4,12 +4,18 @@
 
 #include "vtkImagePatternLayer.h"
 #include "vtkImagePatternLayerPainter.h"
+#include "vtkNoiseLayer.h"
+#include "vtkNoiseLayerPainter.h"
 
 std::unique_ptr<vtkPatternLayerPainter> vtkPatternLayerPainter::New(vtkPatternLayer* layer)
 {
   if (auto* image = vtkImagePatternLayer::SafeDownCast(layer))
   {
     return std::make_unique<vtkImagePatternLayerPainter>(image);
+  }
+  if (auto* noise = vtkNoiseLayer::SafeDownCast(layer))
+  {
+    return std::make_unique<vtkNoiseLayerPainter>(noise);
   }
   return nullptr;
 }

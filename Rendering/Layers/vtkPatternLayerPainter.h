@@ -15,12 +15,15 @@
 #include <glm/vec4.hpp>
 
 #include <array>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
 class vtkPatternLayer;
+class vtkPatternNoiseSurface;
 class vtkShaderProgram;
 class vtkWindow;
 
@@ -67,6 +70,26 @@ public:
   virtual std::string GetInkColor() const { return {}; }
   /// Whether hachureUniformScreen() is called.
   virtual bool UsesResponses() const { return false; }
+
+  /// What is seen of the surface, for layers whose field is made for the pixels that show it.
+  struct FieldScene
+  {
+    vtkPatternNoiseSurface* Surface;
+    glm::dmat4 ModelToClip;
+    std::array<int, 4> Viewport;     // x, y, width, height in the framebuffer
+    std::array<int, 4> Rectangle;    // that is drawn
+    const std::vector<float>& Depth; // window depth in the rectangle, 1 where nothing is seen
+    float DepthTolerance;            // within which surfaces count as one
+    struct Seen
+    {
+      std::vector<std::int32_t> Triangles; // in the rectangle, -1 where none is seen
+      std::vector<std::int32_t> Objects;   // their blocks
+    };
+    std::function<const Seen&()> LookAtTriangles; // draws the surface once more
+  };
+  /// Whether DrawField must be called between the surface's drawing and that of the layers.
+  virtual bool NeedsField() const { return false; }
+  virtual void DrawField(const FieldScene&) {}
 
   /// Declarations with '@' for the layer's number; they define
   /// float hachureCoverage@(vec2 position, float tone). patches: where there are several patches.

@@ -3,10 +3,9 @@
 #include "ImagePatternTiles.h"
 
 #include "PaperTile.h"
-#include "vtkDataArray.h"
+#include "PatternImageFile.h"
 #include "vtkImageData.h"
 #include "vtkImagePatternLayer.h"
-#include "vtkPointData.h"
 
 #include <array>
 #include <map>
@@ -124,34 +123,12 @@ PaintTile makeDabs(vtkImagePatternLayer* layer)
   return paintTile(options);
 }
 
-// Mean of the colour components of the user's image, dark = inked first.
+// The user's image, dark = inked first.
 TileMips userTile(vtkImageData* image)
 {
-  if (!image)
-  {
-    throw std::invalid_argument("image: expected an image for the pattern IMAGE, found none");
-  }
-  int size[3];
-  image->GetDimensions(size);
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  if (!scalars || size[0] < 1 || size[1] < 1 || size[2] != 1)
-  {
-    throw std::invalid_argument("image: expected a 2D image with scalars");
-  }
-  const int components = scalars->GetNumberOfComponents();
-  const int colors = components == 2 || components == 4 ? components - 1 : components;
-  std::vector<float> grey(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]));
-  for (std::size_t i = 0; i < grey.size(); ++i)
-  {
-    double sum = 0.0;
-    for (int c = 0; c < colors; ++c)
-    {
-      sum += scalars->GetComponent(static_cast<vtkIdType>(i), c);
-    }
-    grey[i] = static_cast<float>(sum / colors);
-  }
+  const GreyImage grey = greyImage(image, "pattern IMAGE");
   return std::make_shared<const std::vector<PatternTile>>(
-    mipChain(imageTile(grey, size[0], size[1])));
+    mipChain(imageTile(grey.values, grey.width, grey.height)));
 }
 } // namespace
 

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNoiseLayer.h"
+
+#include "PatternImageFile.h"
+#include "PatternStyleArchive.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkNoiseLayer);
+
+//------------------------------------------------------------------------------
+void vtkNoiseLayer::SetImage(vtkImageData* image)
+{
+  if (this->Image != image)
+  {
+    this->Image = image;
+    this->ImageFileName.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkNoiseLayer::GetImage()
+{
+  return this->Image;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNoiseLayer::ReadImage(const std::string& fileName)
+{
+  try
+  {
+    this->SetImage(hachure::readPatternImage(fileName));
+    this->SetImageFileName(fileName.c_str());
+    return true;
+  }
+  catch (const std::runtime_error& error)
+  {
+    vtkErrorMacro("ReadImage: " << error.what());
+    return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNoiseLayer::SetImageFileName(const char* fileName)
+{
+  const std::string text = fileName ? fileName : "";
+  if (text != this->ImageFileName)
+  {
+    this->ImageFileName = text;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkNoiseLayer::GetImageFileName()
+{
+  return this->ImageFileName.c_str();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkNoiseLayer::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Image ? std::max(time, this->Image->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+void vtkNoiseLayer::DescribeField(hachure::StyleArchive& archive)
+{
+  using Self = vtkNoiseLayer;
+  archive.choice("kind", this, &Self::GetKind, &Self::SetKind, { "gabor", "phasor", "spot" });
+  archive.imageFile("image", this->Image, this->ImageFileName);
+  archive.length("size", this, &Self::GetSize, &Self::SetSize, &Self::GetSizeUnit,
+    &Self::SetSizeUnit, { this->GetSizeMinValue(), this->GetSizeMaxValue() });
+  archive.number("regularity", this, &Self::GetRegularity, &Self::SetRegularity,
+    { this->GetRegularityMinValue(), this->GetRegularityMaxValue() });
+  archive.number("angle", this, &Self::GetAngle, &Self::SetAngle,
+    { this->GetAngleMinValue(), this->GetAngleMaxValue() });
+  archive.number("spread", this, &Self::GetSpread, &Self::SetSpread,
+    { this->GetSpreadMinValue(), this->GetSpreadMaxValue() });
+  archive.number("overlap", this, &Self::GetOverlap, &Self::SetOverlap,
+    { this->GetOverlapMinValue(), this->GetOverlapMaxValue() });
+  archive.number("fade", this, &Self::GetFade, &Self::SetFade,
+    { this->GetFadeMinValue(), this->GetFadeMaxValue() });
+  archive.choice(
+    "distribution", this, &Self::GetDistribution, &Self::SetDistribution, { "even", "classic" });
+  archive.boolean("objectTest", this, &Self::GetObjectTest, &Self::SetObjectTest);
+  archive.boolean("triangleTest", this, &Self::GetTriangleTest, &Self::SetTriangleTest);
+  archive.boolean("depthTest", this, &Self::GetDepthTest, &Self::SetDepthTest);
+  archive.boolean(
+    "partialVisibility", this, &Self::GetPartialVisibility, &Self::SetPartialVisibility);
+}
+
+//------------------------------------------------------------------------------
+void vtkNoiseLayer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Kind: " << this->Kind << "\n";
+  os << indent << "Size: " << this->Size << "\n";
+  os << indent << "SizeUnit: " << this->SizeUnit << "\n";
+  os << indent << "Regularity: " << this->Regularity << "\n";
+  os << indent << "Angle: " << this->Angle << "\n";
+  os << indent << "Spread: " << this->Spread << "\n";
+  os << indent << "Overlap: " << this->Overlap << "\n";
+  os << indent << "Fade: " << this->Fade << "\n";
+  os << indent << "Distribution: " << this->Distribution << "\n";
+  os << indent << "ObjectTest: " << this->ObjectTest << "\n";
+  os << indent << "TriangleTest: " << this->TriangleTest << "\n";
+  os << indent << "DepthTest: " << this->DepthTest << "\n";
+  os << indent << "PartialVisibility: " << this->PartialVisibility << "\n";
+  os << indent << "Image: " << this->Image.Get() << "\n";
+  os << indent << "ImageFileName: " << this->ImageFileName << "\n";
+}

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNoiseLayer
+ * @brief a layer whose field is a noise that moves with the surface and looks flat
+ *
+ * The field is a sum of kernels (Benard et al. 2010, A Dynamic Noise Primitive for Coherent
+ * Stylization). Size, shape and direction of the kernels are those of the picture, so that the
+ * noise looks drawn on paper; their centres are points of the surface, so that it moves with the
+ * surface. While the picture zooms in, more points fade in, and their number in the picture stays.
+ * It follows pixels, not triangles.
+ *
+ * The sum is divided by its expected deviation, and mapped through its distribution to [0,1], so
+ * that ink equals the tone, as for every other layer. The noise of a frame depends on surface,
+ * camera and parameters alone, not on the frames before.
+ *
+ * On translucent surfaces the layer is not drawn.
+ *
+ * @sa vtkNoiseKernelPoints vtkImagePatternLayer
+ */
+
+#ifndef vtkNoiseLayer_h
+#define vtkNoiseLayer_h
+
+#include "vtkImageData.h" // For the user's spot
+#include "vtkPatternLayer.h"
+
+#include <string>
+
+class HACHURERENDERING_EXPORT vtkNoiseLayer : public vtkPatternLayer
+{
+public:
+  static vtkNoiseLayer* New();
+  vtkTypeMacro(vtkNoiseLayer, vtkPatternLayer);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * GABOR: waves under a Gaussian (section 3.1); with a tone, stipples or loose hatches. PHASOR:
+   * the phase of the sum of such waves (Tricard et al. 2019, Procedural Phasor Noise): lines of
+   * even contrast, as wide as the tone. SPOT: a picture, Image, in place of the wave (van Wijk
+   * 1991, Spot Noise).
+   */
+  enum KindType
+  {
+    GABOR = 0,
+    PHASOR = 1,
+    SPOT = 2
+  };
+
+  /**
+   * EVEN: as many points as the picture needs, whatever the triangles. CLASSIC: points on every
+   * triangle, at least one (section 3.3, equations 2 to 4), for comparison: the noise loses
+   * contrast where triangles are smaller than pixels, and costs time per triangle.
+   */
+  enum DistributionType
+  {
+    EVEN = 0,
+    CLASSIC = 1
+  };
+
+  const char* GetTypeName() override { return "noise"; }
+
+  ///@{
+  /** Kind of the noise, one of KindType; default GABOR. */
+  vtkSetClampMacro(Kind, int, GABOR, SPOT);
+  vtkGetMacro(Kind, int);
+  ///@}
+
+  ///@{
+  /** Mean distance of marks, 1 / F0, in SizeUnit; of SPOT the diameter of the spot, where
+   * Regularity is 0.5. Range 0.01 to 10000, default 8. Under two pixels the ink is an even grey. */
+  vtkSetClampMacro(Size, double, 0.01, 10000.0);
+  vtkGetMacro(Size, double);
+  ///@}
+
+  ///@{
+  /** Unit of Size, PIXELS or MILLIMETRES; default PIXELS. */
+  vtkSetClampMacro(SizeUnit, int, PIXELS, MILLIMETRES);
+  vtkGetMacro(SizeUnit, int);
+  ///@}
+
+  ///@{
+  /** How regular the marks are: radius of the kernels over Size. It sets the bandwidth
+   * a = sqrt(-ln .05 / pi) / radius, where the kernel's envelope has fallen to 5 %. Range 0.25
+   * (loose) to 8 (ruled), default 1. */
+  vtkSetClampMacro(Regularity, double, 0.25, 8.0);
+  vtkGetMacro(Regularity, double);
+  ///@}
+
+  ///@{
+  /** Direction of the strokes: degrees counter-clockwise from +x with y up, across the wave vector
+   * of the kernels. Range -360 to 360, default 45. */
+  vtkSetClampMacro(Angle, double, -360.0, 360.0);
+  vtkGetMacro(Angle, double);
+  ///@}
+
+  ///@{
+  /** How far the directions of kernels are spread to both sides of Angle, in degrees. Range 0 (all
+   * alike: anisotropic noise, hatches) to 90 (isotropic noise, stipples); default 0. */
+  vtkSetClampMacro(Spread, double, 0.0, 90.0);
+  vtkGetMacro(Spread, double);
+  ///@}
+
+  ///@{
+  /** Mean number N' of kernels that overlap in a pixel; quality against time. Range 4 to 256,
+   * default 32; the paper uses 16 to 128. */
+  vtkSetClampMacro(Overlap, double, 4.0, 256.0);
+  vtkGetMacro(Overlap, double);
+  ///@}
+
+  ///@{
+  /** Octaves of density, doublings of the surface's area in the picture, over which a kernel fades
+   * in; range 0.1 to 4, default 1. No effect on CLASSIC. */
+  vtkSetClampMacro(Fade, double, 0.1, 4.0);
+  vtkGetMacro(Fade, double);
+  ///@}
+
+  ///@{
+  /** Where the kernels' points come from, one of DistributionType; default EVEN. */
+  vtkSetClampMacro(Distribution, int, EVEN, CLASSIC);
+  vtkGetMacro(Distribution, int);
+  ///@}
+
+  ///@{
+  /**
+   * What trims a kernel (section 3.4). ObjectTest: pixels of other blocks are not drawn to; default
+   * on. TriangleTest: nor pixels of other triangles; default off. DepthTest: nor pixels that lie
+   * off the kernel's plane, softly; default on. PartialVisibility: a kernel counts by the share of
+   * it that is seen, so that it fades where it is hidden; default on. The first two draw the
+   * surface once more, where it has several blocks or TriangleTest is on.
+   */
+  vtkSetMacro(ObjectTest, bool);
+  vtkGetMacro(ObjectTest, bool);
+  vtkBooleanMacro(ObjectTest, bool);
+  vtkSetMacro(TriangleTest, bool);
+  vtkGetMacro(TriangleTest, bool);
+  vtkBooleanMacro(TriangleTest, bool);
+  vtkSetMacro(DepthTest, bool);
+  vtkGetMacro(DepthTest, bool);
+  vtkBooleanMacro(DepthTest, bool);
+  vtkSetMacro(PartialVisibility, bool);
+  vtkGetMacro(PartialVisibility, bool);
+  vtkBooleanMacro(PartialVisibility, bool);
+  ///@}
+
+  ///@{
+  /** Picture of the spot for SPOT: one slice with scalars; what differs from their mean counts.
+   * Default null: a fibre, as in paper. Setting another one clears ImageFileName. */
+  virtual void SetImage(vtkImageData* image);
+  virtual vtkImageData* GetImage();
+  ///@}
+
+  /**
+   * Reads Image from any picture file that vtkImageReader2Factory knows and remembers its name.
+   * Returns false, after an error that says why, and changes nothing when that fails.
+   */
+  virtual bool ReadImage(const std::string& fileName);
+
+  ///@{
+  /** File that style files name as the source of Image. ReadImage sets it; set it by hand after
+   * SetImage when the picture has been saved. Default empty. */
+  virtual void SetImageFileName(const char* fileName);
+  virtual const char* GetImageFileName();
+  ///@}
+
+  /** Latest change of the layer, its tone or its image. */
+  vtkMTimeType GetMTime() override;
+
+#ifndef __VTK_WRAP__
+  void DescribeField(hachure::StyleArchive& archive) override;
+#endif
+
+protected:
+  vtkNoiseLayer() = default;
+  ~vtkNoiseLayer() override = default;
+
+private:
+  vtkNoiseLayer(const vtkNoiseLayer&) = delete;
+  void operator=(const vtkNoiseLayer&) = delete;
+
+  int Kind = GABOR;
+  double Size = 8.0;
+  int SizeUnit = PIXELS;
+  double Regularity = 1.0;
+  double Angle = 45.0;
+  double Spread = 0.0;
+  double Overlap = 32.0;
+  double Fade = 1.0;
+  int Distribution = EVEN;
+  bool ObjectTest = true;
+  bool TriangleTest = false;
+  bool DepthTest = true;
+  bool PartialVisibility = true;
+  vtkSmartPointer<vtkImageData> Image;
+  std::string ImageFileName;
+};
+
+#endif

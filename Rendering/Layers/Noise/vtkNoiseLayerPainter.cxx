@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNoiseLayerPainter.h"
+
+#include "vtkHachureCompatibility.h"
+
+#include "Kernels.h"
+#include "NoiseLayer.h"
+#include "PatternImageFile.h"
+#include "vtkNoiseLayer.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPatternNoiseSurface.h"
+#include "vtkShaderProgram.h"
+
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+
+namespace
+{
+constexpr double radiansPerDegree = 3.14159265358979323846 / 180.0;
+constexpr double rightAngle = 90.0;
+
+std::uint16_t Fraction(float value)
+{
+  constexpr float largest = 65535.0f;
+  return static_cast<std::uint16_t>(std::lround(largest * std::clamp(value, 0.0f, 1.0f)));
+}
+
+// A fibre along x, in the square from -1 to 1.
+hachure::NoiseSpot Fibre()
+{
+  constexpr int side = 33;
+  constexpr double length = 0.8; // half of it, and of the width
+  constexpr double width = 0.16;
+  hachure::NoiseSpot spot{ side, side, {} };
+  spot.values.reserve(static_cast<std::size_t>(side) * side);
+  for (int row = 0; row < side; ++row)
+  {
+    for (int column = 0; column < side; ++column)
+    {
+      const double x = (2.0 * column / (side - 1) - 1.0) / length;
+      const double y = (2.0 * row / (side - 1) - 1.0) / width;
+      spot.values.push_back(static_cast<float>(std::exp(-x * x * x * x - y * y)));
+    }
+  }
+  return spot;
+}
+} // namespace
+
+vtkNoiseLayerPainter::vtkNoiseLayerPainter(vtkNoiseLayer* layer)
+  : Layer(layer)
+{
+}
+
+std::string vtkNoiseLayerPainter::GetDeclarations(bool) const
+{
+  return NoiseLayer;
+}
+
+bool vtkNoiseLayerPainter::Update(
+  vtkOpenGLRenderWindow* window, const Scene& scene, std::string& error)
+{
+  if (!this->Layer || !this->UpdateSpot(error))
+  {
+    return false;
+  }
+  constexpr double millimetresPerInch = 25.4;
+  const double unit = this->Layer->GetSizeUnit() == vtkPatternLayer::MILLIMETRES
+    ? scene.DotsPerInch / millimetresPerInch
+    : 1.0;
+  this->Window = window;
+  this->Period = this->Layer->GetSize() * unit * scene.PixelsPerLogical;
+  this->UpdateThresholds();
+  this->Rectangle = { 0, 0, 0, 0 };
+  return true;
+}
+
+bool vtkNoiseLayerPainter::UpdateSpot(std::string& error)
+{
+  if (this->Layer->GetKind() != vtkNoiseLayer::SPOT || this->SpotTime == this->Layer->GetMTime())
+  {
+    return true;
+  }
+  if (!this->Layer->GetImage())
+  {
+    this->Spot = Fibre();
+    this->SpotTime = this->Layer->GetMTime();
+    return true;
+  }
+  try
+  {
+    hachure::GreyImage grey = hachure::greyImage(this->Layer->GetImage(), "noise SPOT");
+    this->Spot = { grey.width, grey.height, std::move(grey.values) };
+  }
+  catch (const std::exception& problem)
+  {
+    error = problem.what();
+    return false;
+  }
+  this->SpotTime = this->Layer->GetMTime();
+  return true;
+}
+
+hachure::NoiseFieldOptions vtkNoiseLayerPainter::FieldOptions() const
+{
+  hachure::NoiseFieldOptions options;
+  options.overlap = this->Layer->GetOverlap();
+  switch (this->Layer->GetKind())
+  {
+    case vtkNoiseLayer::PHASOR:
+      options.kind = hachure::NoiseKind::phasor;
+      break;
+    case vtkNoiseLayer::SPOT:
+      options.kind = hachure::NoiseKind::spot;
+      options.spot = &this->Spot;
+      break;
+    default:
+      options.kind = hachure::NoiseKind::gabor;
+  }
+  return options;
+}
+
+hachure::NoiseKernelOptions vtkNoiseLayerPainter::KernelOptions() const
+{
+  hachure::NoiseKernelOptions options;
+  options.overlap = this->Layer->GetOverlap();
+  options.radius = this->Layer->GetRegularity() * this->Period;
+  options.frequency = 1.0 / this->Period;
+  // Strokes lie across the waves; a spot is turned itself.
+  const bool waves = this->Layer->GetKind() != vtkNoiseLayer::SPOT;
+  options.orientation = (this->Layer->GetAngle() + (waves ? rightAngle : 0.0)) * radiansPerDegree;
+  options.spread = this->Layer->GetSpread() * radiansPerDegree;
+  options.fade = this->Layer->GetFade();
+  options.signs = this->Layer->GetDistribution() == vtkNoiseLayer::CLASSIC;
+  return options;
+}
+
+void vtkNoiseLayerPainter::UpdateThresholds()
+{
+  const hachure::NoiseKernelOptions kernels = this->KernelOptions();
+  hachure::NoiseThresholdOptions options;
+  options.field = this->FieldOptions();
+  options.frequency = kernels.frequency;
+  options.radius = kernels.radius;
+  options.spread = kernels.spread;
+  options.seed = this->Layer->GetSeed();
+  std::vector<float> thresholds = hachure::noiseThresholds(options);
+  if (thresholds != this->Thresholds)
+  {
+    this->Thresholds = std::move(thresholds);
+    ++this->TableVersion;
+  }
+}
+
+std::vector<hachure::NoiseKernel> vtkNoiseLayerPainter::Kernels(const FieldScene& scene) const
+{
+  vtkPatternNoiseSurface& surface = *scene.Surface;
+  hachure::NoiseView view;
+  view.modelToClip = scene.ModelToClip;
+  view.viewportOrigin = { scene.Viewport[0], scene.Viewport[1] };
+  view.viewportSize = { scene.Viewport[2], scene.Viewport[3] };
+  const hachure::NoiseKernelOptions options = this->KernelOptions();
+  const std::uint32_t seed = this->Layer->GetSeed();
+  return this->Layer->GetDistribution() == vtkNoiseLayer::CLASSIC
+    ? hachure::classicNoiseKernels(
+        surface.Mesh(), surface.TriangleIds(), surface.Objects(), seed, view, options)
+    : surface.Points(seed).kernels(view, options);
+}
+
+hachure::NoiseSurroundings vtkNoiseLayerPainter::Surroundings(const FieldScene& scene) const
+{
+  hachure::NoiseSurroundings around;
+  around.rectangle = scene.Rectangle;
+  around.depth = scene.Depth;
+  around.depthTolerance = scene.DepthTolerance;
+  around.depthTest = this->Layer->GetDepthTest();
+  around.partialVisibility = this->Layer->GetPartialVisibility();
+  const bool objects = this->Layer->GetObjectTest() && scene.Surface->HasSeveralBlocks();
+  const bool triangles = this->Layer->GetTriangleTest();
+  if (objects || triangles)
+  {
+    const FieldScene::Seen& seen = scene.LookAtTriangles();
+    around.objects = objects ? hachure::Span<const std::int32_t>(seen.Objects) : around.objects;
+    around.triangles =
+      triangles ? hachure::Span<const std::int32_t>(seen.Triangles) : around.triangles;
+  }
+  return around;
+}
+
+void vtkNoiseLayerPainter::DrawField(const FieldScene& scene)
+{
+  const std::vector<hachure::NoiseKernel> kernels = this->Kernels(scene);
+  this->Upload(
+    hachure::noiseField(kernels, this->Surroundings(scene), this->FieldOptions()), scene.Rectangle);
+}
+
+// As the tiles of image patterns are stored: 32 bits a texel are fast in software OpenGL.
+void vtkNoiseLayerPainter::Upload(
+  const hachure::NoiseField& field, const std::array<int, 4>& rectangle)
+{
+  std::vector<std::uint16_t> texels(2 * field.value.size());
+  for (std::size_t i = 0; i < field.value.size(); ++i)
+  {
+    texels[2 * i] = Fraction(field.value[i]);
+    texels[2 * i + 1] = Fraction(field.width[i] / hachure::glsl::tileGradientRange);
+  }
+  this->Texture->SetContext(this->Window);
+  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->Texture->Create2DFromRaw(static_cast<unsigned int>(rectangle[2]),
+    static_cast<unsigned int>(rectangle[3]), 2, VTK_UNSIGNED_SHORT, texels.data());
+  this->Rectangle = rectangle;
+}
+
+void vtkNoiseLayerPainter::SetUniforms(vtkShaderProgram* program, const std::string& number,
+  const hachure::PatternFrame&, const hachure::TimedOctave*, const TablePart& rows)
+{
+  const bool drawn = this->Rectangle[2] > 0 && this->Texture->GetHandle();
+  if (drawn)
+  {
+    program->SetUniformi(("hachureNoise" + number).c_str(), this->Texture->GetTextureUnit());
+  }
+  constexpr double middle = 0.5; // of a row
+  const float row = static_cast<float>(
+    (static_cast<double>(rows.First) + middle) / static_cast<double>(rows.RowsOfAll));
+  const float flat = hachure::glsl::flatShare(1.0f, 0.0f, static_cast<float>(this->Period));
+  const float place[4] = { static_cast<float>(this->Rectangle[0]),
+    static_cast<float>(this->Rectangle[1]), row, drawn ? flat : 1.0f };
+  program->SetUniform4f(("hachureNoisePlace" + number).c_str(), place);
+}
+
+std::array<glm::vec4, 2> vtkNoiseLayerPainter::GetPlacement(
+  const hachure::PatternFrame&, const hachure::TimedOctave*, const TablePart&) const
+{
+  return {}; // the kernels are attached to points of the surface
+}
+
+void vtkNoiseLayerPainter::Activate()
+{
+  if (this->Rectangle[2] > 0)
+  {
+    this->Texture->Activate();
+  }
+}
+
+void vtkNoiseLayerPainter::Deactivate()
+{
+  if (this->Rectangle[2] > 0)
+  {
+    this->Texture->Deactivate();
+  }
+}
+
+void vtkNoiseLayerPainter::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Texture->ReleaseGraphicsResources(window);
+  this->Rectangle = { 0, 0, 0, 0 };
+}

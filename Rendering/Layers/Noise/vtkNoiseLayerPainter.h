@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Draws a vtkNoiseLayer: sums its kernels up for the pixels that show the surface.
+ */
+#ifndef vtkNoiseLayerPainter_h
+#define vtkNoiseLayerPainter_h
+
+#include "NoiseField.h"
+#include "NoiseSurface.h"
+#include "vtkNew.h"
+#include "vtkPatternLayerPainter.h"
+#include "vtkTextureObject.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+class vtkNoiseLayer;
+
+class vtkNoiseLayerPainter : public vtkPatternLayerPainter
+{
+public:
+  explicit vtkNoiseLayerPainter(vtkNoiseLayer* layer);
+
+  bool Update(vtkOpenGLRenderWindow* window, const Scene& scene, std::string& error) override;
+  std::string GetDeclarations(bool patches) const override;
+  const std::vector<float>& GetTableRows() const override { return this->Thresholds; }
+  unsigned long GetTableVersion() const override { return this->TableVersion; }
+  bool NeedsField() const override { return true; }
+  void DrawField(const FieldScene& scene) override;
+  void SetUniforms(vtkShaderProgram* program, const std::string& number,
+    const hachure::PatternFrame& frame, const hachure::TimedOctave* octave,
+    const TablePart& rows) override;
+  std::array<glm::vec4, 2> GetPlacement(const hachure::PatternFrame& frame,
+    const hachure::TimedOctave* octave, const TablePart& rows) const override;
+  void Activate() override;
+  void Deactivate() override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+private:
+  bool UpdateSpot(std::string& error);
+  void UpdateThresholds();
+  hachure::NoiseFieldOptions FieldOptions() const;
+  hachure::NoiseKernelOptions KernelOptions() const;
+  std::vector<hachure::NoiseKernel> Kernels(const FieldScene& scene) const;
+  hachure::NoiseSurroundings Surroundings(const FieldScene& scene) const;
+  void Upload(const hachure::NoiseField& field, const std::array<int, 4>& rectangle);
+
+  vtkWeakPointer<vtkNoiseLayer> Layer;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  double Period = 8.0; // pixels of the framebuffer per mark
+  std::vector<float> Thresholds;
+  hachure::NoiseThresholdOptions ThresholdOptions; // that they were measured with
+  unsigned long TableVersion = 0;
+  hachure::NoiseSpot Spot;
+  vtkMTimeType SpotTime = 0;
+  vtkNew<vtkTextureObject> Texture;
+  std::array<int, 4> Rectangle = { 0, 0, 0, 0 }; // that the texture is of; empty: of nothing
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkNoiseLayerPainter.h

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The points that a mapper's noises are attached to: they stay on the surface while it deforms.
+ */
+#ifndef vtkPatternNoiseSurface_h
+#define vtkPatternNoiseSurface_h
+
+#include "NoiseSurface.h"
+#include "SurfaceTriangles.h"
+#include "vtkPatternGeometry.h"
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+class vtkDataObject;
+
+class vtkPatternNoiseSurface
+{
+public:
+  /// Brings the surface up to date with polydata or a composite of polydata. Other cells are
+  /// another surface, other coordinates only move it.
+  void Update(vtkDataObject* input);
+
+  /// The points of this seed, where the surface is now.
+  hachure::NoiseSurface& Points(std::uint32_t seed);
+
+  hachure::TriangleMesh Mesh() const { return { this->Positions, this->Surface.triangles, {} }; }
+  const std::vector<std::uint64_t>& TriangleIds() const { return this->Ids; }
+  /// Block of each triangle.
+  const std::vector<std::int32_t>& Objects() const { return this->Surface.blockIndices; }
+  bool HasSeveralBlocks() const { return this->Surface.blocks.size() > 1; }
+
+private:
+  void Identify(vtkDataObject* input);
+  void Move();
+
+  vtkPatternGeometry Geometry;
+  hachure::SurfaceTriangles Surface; // as it was first
+  std::vector<glm::dvec3> Positions; // now
+  std::vector<std::uint64_t> Ids;    // from global ids of cells; empty where there are none
+  std::map<std::uint32_t, hachure::NoiseSurface> Seeds;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkPatternNoiseSurface.h

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPatternFieldStage.h"
+
+#include "vtkPatternCompositor.h"
+#include "vtkPatternNoiseSurface.h"
+#include "vtkPatternTriangleIds.h"
+#include "vtkPatternWindowResources.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace
+{
+using FieldScene = vtkPatternLayerPainter::FieldScene;
+
+// Largest change of the window depth over this length, near a point of the model.
+float DepthChange(const glm::dmat4& modelToClip, const glm::dvec3& point, double length)
+{
+  const glm::dvec4 clip = modelToClip * glm::dvec4(point, 1.0);
+  glm::dvec3 gradient;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const glm::dvec4& along = modelToClip[axis];
+    gradient[axis] = 0.5 * (along.z - along.w * clip.z / clip.w) / clip.w;
+  }
+  constexpr double least = 1e-6; // of a depth of 24 bits
+  const double change = glm::length(gradient) * length;
+  return static_cast<float>(std::clamp(change, least, 1.0));
+}
+
+std::vector<glm::dvec4> CornersInRectangle(const vtkPatternFieldStage& stage)
+{
+  const std::array<int, 4>& all = stage.Viewport;
+  const std::array<int, 4>& part = stage.Rectangle;
+  const glm::dvec2 size(all[2], all[3]);
+  const glm::dvec2 partSize(part[2], part[3]);
+  const glm::dvec2 scale = size / partSize;
+  const glm::dvec2 shift =
+    (size + 2.0 * glm::dvec2(all[0] - part[0], all[1] - part[1])) / partSize - 1.0;
+  const hachure::TriangleMesh mesh = stage.Surface.Mesh();
+  std::vector<glm::dvec4> corners;
+  corners.reserve(mesh.points.size());
+  for (const glm::dvec3& point : mesh.points)
+  {
+    const glm::dvec4 clip = stage.ModelToClip * glm::dvec4(point, 1.0);
+    corners.emplace_back(scale * glm::dvec2(clip) + clip.w * shift, clip.z, clip.w);
+  }
+  return corners;
+}
+
+FieldScene::Seen LookAtTriangles(const vtkPatternFieldStage& stage)
+{
+  FieldScene::Seen seen;
+  seen.Triangles = vtkPattern::DrawTriangleIds(stage.Window, CornersInRectangle(stage),
+    stage.Surface.Mesh().triangles, { stage.Rectangle[2], stage.Rectangle[3] });
+  const std::vector<std::int32_t>& objects = stage.Surface.Objects();
+  seen.Objects.reserve(seen.Triangles.size());
+  for (const std::int32_t triangle : seen.Triangles)
+  {
+    seen.Objects.push_back(triangle < 0 ? -1 : objects[static_cast<std::size_t>(triangle)]);
+  }
+  return seen;
+}
+} // namespace
+
+void vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
+{
+  // Steps in depth below this part of the object's size are relief of one surface.
+  constexpr double relief = 0.004;
+  const std::vector<float> depth = this->Resources.ReadDepth(this->Window, this->Rectangle);
+  FieldScene::Seen seen;
+  const auto look = [&]() -> const FieldScene::Seen&
+  {
+    if (seen.Triangles.empty())
+    {
+      seen = LookAtTriangles(*this);
+    }
+    return seen;
+  };
+  compositor.DrawFields({ &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle, depth,
+    DepthChange(this->ModelToClip, this->Center, relief * this->Diagonal), look });
+}

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Between the attribute stage and the layers of an opaque surface: fields that are made for the
+ * pixels that show it.
+ */
+#ifndef vtkPatternFieldStage_h
+#define vtkPatternFieldStage_h
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+
+class vtkOpenGLRenderWindow;
+class vtkPatternCompositor;
+class vtkPatternNoiseSurface;
+class vtkPatternWindowResources;
+
+struct vtkPatternFieldStage
+{
+  vtkOpenGLRenderWindow* Window;
+  vtkPatternWindowResources& Resources; // the attribute images of the surface
+  vtkPatternNoiseSurface& Surface;
+  glm::dmat4 ModelToClip;
+  std::array<int, 4> Viewport;  // x, y, width, height in the framebuffer
+  std::array<int, 4> Rectangle; // that the attribute stage has drawn
+  glm::dvec3 Center;            // of the surface's bounds
+  double Diagonal;
+
+  /// Draws the fields of all layers that need it. Throws std::exception with the reason where that
+  /// is not possible.
+  void Draw(vtkPatternCompositor& compositor) const;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkPatternFieldStage.h

@@ -63,7 +63,7 @@ def draw_clip(studio, filmed, key):
     frames = studio.inks(states, filmed["cameras"], style)
     motions = filmed["motions"]
     tone = scenes.TONE if key["lighting"] == "unlit" else None
-    metrics = clips.new_metrics(frames, motions, filmed["cells"], studio.reference(key["ink"]), tone)
+    metrics = clips.new_metrics(frames, motions, filmed["cells"], studio.reference(key["field"], key["ink"]), tone)
     fast = key["motion"] in scenes.FAST
     values, steps = clips.measure(metrics, motions, key["ink"] in scenes.STROKES, fast)
     differences = clips.differences(frames, motions)
@@ -110,7 +110,8 @@ def rows(clips):
 
 def choices():
     import scenes
-    lists = (scenes.SCENES, scenes.MOTIONS, scenes.FIELDS, scenes.INKS, scenes.LIGHTINGS)
+    fields = [*scenes.FIELDS, *scenes.NOISES]
+    lists = (scenes.SCENES, scenes.MOTIONS, fields, scenes.INKS, scenes.LIGHTINGS)
     return {axis: list(names) for axis, names in zip(AXES, lists)}
 
 

@@ -224,6 +224,24 @@ def hatch(layer):
 
 
 INKS = {"noise": noise, "hatch": hatch}
+
+
+def kernels(kind, spread):
+    """A noise of this kind; spread: of its directions, in degrees."""
+    def layer():
+        result = hachure.vtkNoiseLayer()
+        result.SetKind(kind)
+        result.SetSize(WAVELENGTH)
+        result.SetSpread(spread)
+        return result
+    return layer
+
+
+# Fields that are noises by themselves: for every ink a function that makes the layer.
+NOISES = {
+    name: {"noise": kernels(kind, 90.0), "hatch": kernels(kind, 0.0)}
+    for kind, name in enumerate(("gabor", "phasor", "spot"))
+}
 # Along their strokes slides cannot be seen: only those across count.
 STROKES = {"hatch"}
 
@@ -235,9 +253,12 @@ LIGHTINGS = {
 
 def new_style(field, ink, lighting):
     style = hachure.vtkPatternStyle()
-    layer = hachure.vtkImagePatternLayer()
-    INKS[ink](layer)
-    FIELDS[field](layer)
+    if field in NOISES:
+        layer = NOISES[field][ink]()
+    else:
+        layer = hachure.vtkImagePatternLayer()
+        INKS[ink](layer)
+        FIELDS[field](layer)
     LIGHTINGS[lighting](layer.GetTone())
     style.AddLayer(layer)
     return style

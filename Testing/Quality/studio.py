@@ -112,12 +112,13 @@ class Studio:
         frames = self.draw(mappers, states, cameras, (1, 1, 1))
         return [(1.0 - (frame[..., 0] / 255.0) ** GAMMA).astype(numpy.float32) for frame in frames]
 
-    def reference(self, ink):
+    def reference(self, field, ink):
         """The ink as drawn flat on paper: in the whole picture and with an even tone."""
-        if ink not in self.references:
-            style = scenes.new_style("screen", ink, "unlit")
-            self.references[ink] = self.inks([[objects.square()]], scenes.still(1), style)[0]
-        return self.references[ink]
+        key = (field if field in scenes.NOISES else "screen", ink)
+        if key not in self.references:
+            style = scenes.new_style(*key, "unlit")
+            self.references[key] = self.inks([[objects.square()]], scenes.still(1), style)[0]
+        return self.references[key]
 
     def cells(self, rest, states, cameras):
         """For every frame the cell of the objects seen at each pixel, 0 where there is none.

@@ -110,7 +110,7 @@ public:
   }
 
   void add(const NoiseTriangle& triangle, std::int32_t index, std::int32_t object,
-    std::uint64_t key, std::vector<NoiseKernel>& kernels) const
+    std::uint64_t key, NoiseOutput& output) const
   {
     const double expected = this->density * imageArea(triangle, this->view);
     const ClassicCount count(expected);
@@ -120,7 +120,8 @@ public:
     for (int i = 0; i < count.full + count.fading; ++i)
     {
       const std::uint64_t id = batch.id(i);
-      const NoisePoint point{ index, noiseWeights(whole, id), 0.0, id };
+      const double birth = powerOfTwo(binaryExponent(std::max(i, 1)));
+      const NoisePoint point{ index, noiseWeights(whole, id), birth, id };
       NoiseImage image;
       NoiseKernel kernel;
       if (this->projection.project(triangle, point.weights, image) &&
@@ -128,7 +129,7 @@ public:
           i < count.full ? count.weight : count.alpha, kernel))
       {
         kernel.object = object;
-        kernels.push_back(kernel);
+        output.add(kernel, point);
       }
     }
   }
@@ -143,7 +144,7 @@ private:
 
 std::vector<NoiseKernel> classicNoiseKernels(const TriangleMesh& mesh,
   Span<const std::uint64_t> ids, Span<const std::int32_t> objects, std::uint32_t seed,
-  const NoiseView& view, const NoiseKernelOptions& options)
+  const NoiseView& view, const NoiseKernelOptions& options, std::vector<NoisePoint>* points)
 {
   checkTriangleMesh(mesh);
   checkCount("ids", ids.size(), mesh.triangles.size());
@@ -152,7 +153,8 @@ std::vector<NoiseKernel> classicNoiseKernels(const TriangleMesh& mesh,
   checkNoiseOptions(options);
   const ClassicKernels classic(view, options);
   const auto count = static_cast<std::int64_t>(mesh.triangles.size());
-  std::vector<std::vector<NoiseKernel>> parts(static_cast<std::size_t>(count / triangleGrain + 1));
+  NoiseOutputs outputs;
+  outputs.restart(count / triangleGrain + 1, points != nullptr);
   parallelForRanges(count, triangleGrain,
     [&](std::int64_t begin, std::int64_t end)
     {
@@ -166,11 +168,11 @@ std::vector<NoiseKernel> classicNoiseKernels(const TriangleMesh& mesh,
         // Here areas are those of the image; 1 stands in for that of the reference.
         classic.add(noiseTriangleAt(mesh.points, corners, 1.0), static_cast<std::int32_t>(i),
           objects.empty() ? 0 : objects[i], noiseTriangleKey(seed, id),
-          parts[begin / triangleGrain]);
+          outputs.parts[begin / triangleGrain]);
       }
     });
   std::vector<NoiseKernel> result;
-  concatenate(parts, result);
+  outputs.join(result, points);
   return result;
 }
 

@@ -297,4 +297,38 @@ bool NoiseProjection::makeKernel(
   return weight > 0.0 && this->placeKernel(image, point, control, weight, kernel);
 }
 
+void NoiseOutputs::restart(std::int64_t count, bool wantsPoints)
+{
+  this->parts.resize(static_cast<std::size_t>(count));
+  for (NoiseOutput& part : this->parts)
+  {
+    part.wantsPoints = wantsPoints;
+    part.kernels.clear();
+    part.points.clear();
+  }
+}
+
+void NoiseOutputs::join(std::vector<NoiseKernel>& kernels, std::vector<NoisePoint>* points) const
+{
+  kernels.clear();
+  std::size_t count = 0;
+  for (const NoiseOutput& part : this->parts)
+  {
+    count += part.kernels.size();
+  }
+  kernels.reserve(count);
+  for (const NoiseOutput& part : this->parts)
+  {
+    kernels.insert(kernels.end(), part.kernels.begin(), part.kernels.end());
+  }
+  if (points)
+  {
+    points->clear();
+    for (const NoiseOutput& part : this->parts)
+    {
+      points->insert(points->end(), part.points.begin(), part.points.end());
+    }
+  }
+}
+
 } // namespace hachure

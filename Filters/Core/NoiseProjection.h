@@ -9,7 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include <array>
-#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace hachure
@@ -88,22 +88,32 @@ private:
   double rowWLength = 0.0;
 };
 
-// The parts of a result in their order.
-template <class T>
-void concatenate(const std::vector<std::vector<T>>& parts, std::vector<T>& result)
+// Kernels, and the points of each where they are wanted.
+struct NoiseOutput
 {
-  std::size_t count = 0;
-  for (const std::vector<T>& part : parts)
+  bool wantsPoints = false;
+  std::vector<NoiseKernel> kernels;
+  std::vector<NoisePoint> points;
+
+  void add(const NoiseKernel& kernel, const NoisePoint& point)
   {
-    count += part.size();
+    this->kernels.push_back(kernel);
+    if (this->wantsPoints)
+    {
+      this->points.push_back(point);
+    }
   }
-  result.clear();
-  result.reserve(count);
-  for (const std::vector<T>& part : parts)
-  {
-    result.insert(result.end(), part.begin(), part.end());
-  }
-}
+};
+
+// What threads find in parts, and in the end all of it in the order of the parts.
+struct NoiseOutputs
+{
+  std::vector<NoiseOutput> parts;
+
+  // Empty parts, with the memory of those before.
+  void restart(std::int64_t count, bool wantsPoints);
+  void join(std::vector<NoiseKernel>& kernels, std::vector<NoisePoint>* points) const;
+};
 
 } // namespace hachure
 

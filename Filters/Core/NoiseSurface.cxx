@@ -64,20 +64,19 @@ struct NoiseSurface::Data
   std::size_t cacheBytes = 0;
   std::size_t budget = defaultBudget;
   std::uint64_t calls = 0;
-  std::vector<std::vector<NoiseKernel>> parts; // of the last call, for their memory
+  NoiseOutputs outputs; // of the last call, for their memory
 
-  void emit(
-    const NoiseVisit& visit, const NoiseProjection& projection, std::vector<NoiseKernel>& kernels)
+  void emit(const NoiseVisit& visit, const NoiseProjection& projection, NoiseOutput& output)
   {
     if (visit.node < 0)
     {
-      this->emitCell(visit, projection, kernels);
+      this->emitCell(visit, projection, output);
       return;
     }
     const std::uint32_t first = this->tree.sharedFirst[visit.node];
     this->emitRecords(Span<const NoiseRecord>(this->tree.shared)
                         .subspan(first, this->tree.sharedFirst[visit.node + 1] - first),
-      visit.density, projection, kernels);
+      visit.density, projection, output);
     if (this->tree.nodes[visit.node].shared < visit.octave)
     {
       std::unique_ptr<CachedPoints>& cached = this->cache[visit.node];
@@ -87,12 +86,12 @@ struct NoiseSurface::Data
         cached->records = makeNodePoints(this->tree, visit.node, visit.octaveBelow);
       }
       cached->lastCall = this->calls;
-      this->emitRecords(cached->records, visit.density, projection, kernels);
+      this->emitRecords(cached->records, visit.density, projection, output);
     }
   }
 
   void emitRecords(Span<const NoiseRecord> records, double density,
-    const NoiseProjection& projection, std::vector<NoiseKernel>& kernels) const
+    const NoiseProjection& projection, NoiseOutput& output) const
   {
     constexpr std::size_t blockSize = 256;
     std::array<const NoiseRecord*, blockSize> block;
@@ -105,14 +104,14 @@ struct NoiseSurface::Data
       }
       if (count == blockSize || i + 1 == records.size())
       {
-        this->emitBlock({ block.data(), count }, projection, kernels);
+        this->emitBlock({ block.data(), count }, projection, output);
         count = 0;
       }
     }
   }
 
   void emitBlock(Span<const NoiseRecord* const> records, const NoiseProjection& projection,
-    std::vector<NoiseKernel>& kernels) const
+    NoiseOutput& output) const
   {
     constexpr std::size_t ahead = 8; // hides the way to memory
     for (std::size_t i = 0; i < records.size(); ++i)
@@ -135,30 +134,30 @@ struct NoiseSurface::Data
         cell = noiseChild(cell, record.cell - 1);
       }
       this->emitPoint({ record.triangle, noiseWeights(cell, record.id), record.birth, record.id },
-        projection, kernels);
+        projection, output);
     }
   }
 
-  void emitCell(const NoiseVisit& visit, const NoiseProjection& projection,
-    std::vector<NoiseKernel>& kernels) const
+  void emitCell(
+    const NoiseVisit& visit, const NoiseProjection& projection, NoiseOutput& output) const
   {
     const double area = this->tree.facets[visit.triangle].area;
     const std::int32_t shared = noiseSharedOctave(area);
     if (shared > visit.octaveBelow)
     {
-      this->emitBatch(visit, noiseSharedBatch(visit.cell.key, area), projection, kernels);
+      this->emitBatch(visit, noiseSharedBatch(visit.cell.key, area), projection, output);
     }
     for (std::int32_t octave = std::max(shared, visit.octaveBelow) + 1;
          octave <= visit.octave && powerOfTwo(octave) < visit.density; ++octave)
     {
       // A leaf may own octaves in which the triangle is cut, but cells come only after those.
       assert(noiseCellDepth(area, octave) == visit.cell.depth);
-      this->emitBatch(visit, noiseBatch(visit.cell, area, octave), projection, kernels);
+      this->emitBatch(visit, noiseBatch(visit.cell, area, octave), projection, output);
     }
   }
 
   void emitBatch(const NoiseVisit& visit, const NoiseBatch& batch,
-    const NoiseProjection& projection, std::vector<NoiseKernel>& kernels) const
+    const NoiseProjection& projection, NoiseOutput& output) const
   {
     const double lowest = lowestBirthAbove(visit.octaveBelow);
     for (int i = 0; i < batch.count; ++i)
@@ -168,14 +167,13 @@ struct NoiseSurface::Data
       if (birth >= lowest && birth < visit.density)
       {
         this->emitPoint(
-          { visit.triangle, noiseWeights(visit.cell, id), birth, id }, projection, kernels);
+          { visit.triangle, noiseWeights(visit.cell, id), birth, id }, projection, output);
       }
     }
   }
 
   // The triangle of `point` is in the order of the tree.
-  void emitPoint(
-    NoisePoint point, const NoiseProjection& projection, std::vector<NoiseKernel>& kernels) const
+  void emitPoint(NoisePoint point, const NoiseProjection& projection, NoiseOutput& output) const
   {
     const NoiseFacet& facet = this->tree.facets[point.triangle];
     point.triangle = facet.index;
@@ -184,7 +182,7 @@ struct NoiseSurface::Data
           noiseTriangleAt(this->positions, facet.corners, facet.area), point, kernel))
     {
       kernel.object = this->objects.empty() ? 0 : this->objects[point.triangle];
-      kernels.push_back(kernel);
+      output.add(kernel, point);
     }
   }
 
@@ -301,17 +299,19 @@ std::vector<NoisePoint> NoiseSurface::points(double density) const
       "density is " + std::to_string(density) + ", expected 0 or more, and 2^30 points at most");
   }
   const auto count = static_cast<std::int64_t>(facets.size());
-  std::vector<std::vector<NoisePoint>> parts(static_cast<std::size_t>(count / triangleGrain + 1));
+  NoiseOutputs outputs;
+  outputs.restart(count / triangleGrain + 1, true);
   parallelForRanges(count, triangleGrain,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (std::int64_t i = begin; i < end; ++i)
       {
-        this->data->addPoints(i, density, parts[begin / triangleGrain]);
+        this->data->addPoints(i, density, outputs.parts[begin / triangleGrain].points);
       }
     });
+  std::vector<NoiseKernel> none;
   std::vector<NoisePoint> result;
-  concatenate(parts, result);
+  outputs.join(none, &result);
   return result;
 }
 
@@ -323,8 +323,8 @@ std::vector<NoiseKernel> NoiseSurface::kernels(
   return result;
 }
 
-void NoiseSurface::kernels(
-  const NoiseView& view, const NoiseKernelOptions& options, std::vector<NoiseKernel>& result)
+void NoiseSurface::kernels(const NoiseView& view, const NoiseKernelOptions& options,
+  std::vector<NoiseKernel>& result, std::vector<NoisePoint>* points)
 {
   checkNoiseView(view);
   checkNoiseOptions(options);
@@ -333,21 +333,18 @@ void NoiseSurface::kernels(
   const std::vector<NoiseVisit> visits =
     findNoiseVisits(this->data->tree, this->data->positions, projection);
   const auto count = static_cast<std::int64_t>(visits.size());
-  std::vector<std::vector<NoiseKernel>>& parts = this->data->parts;
-  parts.resize(static_cast<std::size_t>(count / visitGrain + 1));
-  parts.back().clear(); // may have no range
+  NoiseOutputs& outputs = this->data->outputs;
+  outputs.restart(count / visitGrain + 1, points != nullptr);
   parallelForRanges(count, visitGrain,
     [&](std::int64_t begin, std::int64_t end)
     {
-      std::vector<NoiseKernel>& part = parts[begin / visitGrain];
-      part.clear();
       for (std::int64_t i = begin; i < end; ++i)
       {
-        this->data->emit(visits[i], projection, part);
+        this->data->emit(visits[i], projection, outputs.parts[begin / visitGrain]);
       }
     });
   this->data->trim(visits);
-  concatenate(parts, result);
+  outputs.join(result, points);
 }
 
 std::size_t NoiseSurface::memory() const

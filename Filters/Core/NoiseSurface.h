@@ -102,9 +102,9 @@ public:
   // the mesh alone. Points of levels that were not met before are made here, and kept. Throws for a
   // view or options out of their ranges.
   std::vector<NoiseKernel> kernels(const NoiseView& view, const NoiseKernelOptions& options);
-  // The same into the memory of a frame before.
-  void kernels(
-    const NoiseView& view, const NoiseKernelOptions& options, std::vector<NoiseKernel>& result);
+  // The same into the memory of a frame before; `points`: the point of each kernel, if wanted.
+  void kernels(const NoiseView& view, const NoiseKernelOptions& options,
+    std::vector<NoiseKernel>& result, std::vector<NoisePoint>* points = nullptr);
 
   // Bytes that are held.
   std::size_t memory() const;
@@ -129,10 +129,12 @@ double noiseFadeShare(double fade);
 // M = 2^floor(log2 N) for N expected points on its image, the second half of weight
 // alpha = sqrt(N / M - 1); one point of weight N where N < 1. At most 2^16 points on a triangle.
 // Cost follows the number of triangles. Of the control, the bandwidth does not change the number of
-// points.
+// points. Of `points`, one for each kernel if wanted, the birth is the N at which the point
+// appears.
 std::vector<NoiseKernel> classicNoiseKernels(const TriangleMesh& mesh,
   Span<const std::uint64_t> ids, Span<const std::int32_t> objects, std::uint32_t seed,
-  const NoiseView& view, const NoiseKernelOptions& options);
+  const NoiseView& view, const NoiseKernelOptions& options,
+  std::vector<NoisePoint>* points = nullptr);
 
 } // namespace hachure
 

@@ -33,8 +33,8 @@ namespace hachure
 struct NoisePoint
 {
   std::int32_t triangle = 0;
-  glm::vec2 weights{ 0.0f }; // barycentric, of the second and third corner
-  float birth = 0.0f;        // q, points per unit of reference area
+  glm::dvec2 weights{ 0.0 }; // barycentric, of the second and third corner
+  double birth = 0.0;        // q, points per unit of reference area
   std::uint64_t id = 0;      // random bits of this point: a hash of (seed, triangle id, level, ...)
 };
 
@@ -68,6 +68,10 @@ struct NoiseKernelOptions
     glm::dvec3 direction{ 0.0 }; // model space: of the lines, across the wave vector; 0: as above
   };
   std::function<Control(const NoisePoint&)> control;
+  // Factors of the bandwidth are clamped to this range, lowest and highest, which must hold 1:
+  // larger kernels reach into the viewport from farther away, and smaller ones need more points.
+  // Without a control it does not matter.
+  glm::dvec2 bandwidthRange{ 0.5, 2.0 };
 };
 
 class NoiseSurface
@@ -76,8 +80,8 @@ public:
   // ids: per triangle, the same for the same triangle in every time step and on every rank; empty:
   // a hash of the corners' positions in the reference mesh. objects: block of each triangle; empty:
   // all 0. The mesh is the reference: areas are measured on it. Triangles without area have no
-  // points. Throws std::invalid_argument as checkTriangleMesh does, and for arrays of other
-  // lengths.
+  // points. Its points must outlive the calls up to that of setPositions; all else is copied.
+  // Throws std::invalid_argument as checkTriangleMesh does, and for arrays of other lengths.
   NoiseSurface(const TriangleMesh& reference, Span<const std::uint64_t> ids = {},
     Span<const std::int32_t> objects = {}, std::uint32_t seed = 1);
   ~NoiseSurface();
@@ -85,20 +89,29 @@ public:
   NoiseSurface& operator=(NoiseSurface&&) noexcept;
 
   // Where the surface is now: the same triangles at other points, which must outlive the next
-  // calls. Throws for another number of points and for positions that are not finite.
+  // calls. Throws for another number of points and for corners that are not finite, and then the
+  // surface stays where it was.
   void setPositions(Span<const glm::dvec3> positions);
 
   // The points of birth density below `density` on all of the surface, in an order that depends on
-  // the mesh alone.
+  // the mesh alone. Throws for a density below 0 or one that asks for more than 2^30 points.
   std::vector<NoisePoint> points(double density) const;
 
   // The kernels of a view, those whose disc meets the viewport, back faces included; what lies
   // behind the near plane is left out. Cost follows the number of kernels. Their order depends on
-  // the mesh alone. Points of levels that were not met before are made here, and kept.
+  // the mesh alone. Points of levels that were not met before are made here, and kept. Throws for a
+  // view or options out of their ranges.
   std::vector<NoiseKernel> kernels(const NoiseView& view, const NoiseKernelOptions& options);
+  // The same into the memory of a frame before; `points`: the point of each kernel, if wanted.
+  void kernels(const NoiseView& view, const NoiseKernelOptions& options,
+    std::vector<NoiseKernel>& result, std::vector<NoisePoint>* points = nullptr);
 
   // Bytes that are held.
   std::size_t memory() const;
+
+  // Bytes that points may take which kernels() made; those that were not met for longest are
+  // dropped, and made again, equal, when they are. Default 64 MiB.
+  void setMemoryBudget(std::size_t bytes);
 
 private:
   struct Data;
@@ -109,15 +122,19 @@ private:
 // after it appeared: 0 for D <= q, 1 from D = q 2^fade on.
 double noiseFadeWeight(double density, double birth, double fade);
 
-// Mean of the squared weights of all points up to D, over D: the share of points that count.
+// Mean of the squared weights of all points up to D: the share of points that count.
 double noiseFadeShare(double fade);
 
 // The kernels of the paper, for comparison (equations 2 to 4): on every triangle 2M points,
 // M = 2^floor(log2 N) for N expected points on its image, the second half of weight
-// alpha = sqrt(N / M - 1); one point of weight N where N < 1. Cost follows the number of triangles.
+// alpha = sqrt(N / M - 1); one point of weight N where N < 1. At most 2^16 points on a triangle.
+// Cost follows the number of triangles. Of the control, the bandwidth does not change the number of
+// points. Of `points`, one for each kernel if wanted, the birth is the N at which the point
+// appears.
 std::vector<NoiseKernel> classicNoiseKernels(const TriangleMesh& mesh,
   Span<const std::uint64_t> ids, Span<const std::int32_t> objects, std::uint32_t seed,
-  const NoiseView& view, const NoiseKernelOptions& options);
+  const NoiseView& view, const NoiseKernelOptions& options,
+  std::vector<NoisePoint>* points = nullptr);
 
 } // namespace hachure
 

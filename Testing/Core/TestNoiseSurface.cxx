@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Kernels on a surface: as many overlap as are wanted, whatever the triangles and the view.
+
+#include "NoiseScene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+using namespace hachure;
+using namespace hachure::testing;
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+
+NoiseKernelOptions smallKernels()
+{
+  NoiseKernelOptions options;
+  options.radius = 8.0;
+  return options;
+}
+
+// A floor of one triangle, 2 below the eye, that reaches far behind it.
+Surface makeFloor()
+{
+  Surface floor;
+  floor.points = { { -3000, -2, 1000 }, { 3000, -2, 1000 }, { 0, -2, -4000 } };
+  floor.triangles = { { 0, 1, 2 } };
+  return floor;
+}
+
+} // namespace
+
+TEST(NoiseSurface, OverlapDoesNotDependOnTheTriangles)
+{
+  const NoiseView view = perspectiveView({ 900, 700 }, { 0.3, 0.4, 4.0 }, { 0, 0, 0 });
+  for (const int n : { 5, 20, 80, 300 }) // 300 to 1 million triangles, of 1600 to 1/2 pixels
+  {
+    const Surface sphere = makeNoiseSphere(n);
+    NoiseSurface surface(sphere.mesh());
+    const auto kernels = frontKernels(sphere, view, surface.kernels(view, smallKernels()));
+    EXPECT_NEAR(meanOverlap(kernels, { 300, 200 }, { 600, 500 }), 32.0, 0.03 * 32.0) << n;
+    // Next to the silhouette the triangles are seen at a slant.
+    const double middle = meanOverlap(kernels, { 430, 330 }, { 470, 370 });
+    const double rim = meanOverlap(kernels, { 160, 300 }, { 200, 400 });
+    EXPECT_NEAR(middle, 32.0, 0.2 * 32.0) << n;
+    EXPECT_NEAR(rim, 32.0, 0.2 * 32.0) << n;
+  }
+}
+
+TEST(NoiseSurface, OverlapOnAFloorIsTheSameNearAndFar)
+{
+  const Surface floor = makeFloor();
+  NoiseSurface surface(floor.mesh());
+  const NoiseView view = perspectiveView({ 1000, 600 }, { 0, 0, 0 }, { 0, -0.3, -1 }, 60.0);
+  const auto kernels = surface.kernels(view, smallKernels());
+  // The horizon is 300 + .3 * 300 / tan 30 pixels up.
+  const double whole = 32.0;
+  EXPECT_NEAR(meanOverlap(kernels, { 0, 0 }, { 1000, 60 }), whole, 0.05 * whole);
+  EXPECT_NEAR(meanOverlap(kernels, { 0, 200 }, { 1000, 260 }), whole, 0.05 * whole);
+  EXPECT_NEAR(meanOverlap(kernels, { 0, 370 }, { 1000, 430 }), whole, 0.05 * whole);
+  EXPECT_LT(meanOverlap(kernels, { 0, 480 }, { 1000, 600 }), 1e-9);
+  EXPECT_LT(kernels.size(), 220000u) << "only what is seen";
+}
+
+TEST(NoiseSurface, NearPlaneThroughATriangle)
+{
+  const Surface floor = makeFloor();
+  NoiseSurface surface(floor.mesh());
+  // Straight down: the near plane, at .1, is far from the floor; then the floor is within it.
+  for (const double height : { -1.0, -1.89, -1.95 })
+  {
+    const NoiseView view =
+      perspectiveView({ 300, 300 }, { 0, height, 0 }, { 0, height - 0.5, -1.0 }, 60.0);
+    for (const NoiseKernel& kernel : surface.kernels(view, smallKernels()))
+    {
+      EXPECT_TRUE(std::isfinite(kernel.center.x + kernel.center.y));
+      EXPECT_GE(kernel.depth, 0.0f);
+      EXPECT_LE(kernel.depth, 1.0f);
+      EXPECT_GT(kernel.weight, 0.0f);
+    }
+  }
+  // The floor through the eye is seen as a line.
+  NoiseView edge = perspectiveView({ 300, 300 }, { 0, -2, 0 }, { 0, -2, -1 }, 60.0);
+  EXPECT_LT(surface.kernels(edge, smallKernels()).size(), 300u);
+}
+
+TEST(NoiseSurface, ZoomKeepsTheOverlapWithoutPops)
+{
+  Surface square;
+  addGrid(square, { -100, -100, 0 }, { 200, 0, 0 }, { 0, 200, 0 }, 40, 2.0);
+  NoiseSurface surface(square.mesh());
+  NoiseKernelOptions options = smallKernels();
+  options.overlap = 16.0;
+  const double step = 1.01;
+  // Smoothstep rises by 1.5 over one octave of density; twice as many octaves as of the zoom.
+  const double largest = 1.5 * 2.0 * std::log2(step) / options.fade;
+  std::map<std::uint64_t, float> before;
+  double highest = 0.0;
+  for (double zoom = 2.0; zoom < 16.0; zoom *= step)
+  {
+    const std::vector<NoiseKernel> kernels =
+      surface.kernels(parallelView({ 300, 200 }, zoom), options);
+    EXPECT_NEAR(meanOverlap(kernels, { 0, 0 }, { 300, 200 }), 16.0, 0.12 * 16.0) << zoom;
+    std::map<std::uint64_t, float> now;
+    for (const NoiseKernel& kernel : kernels)
+    {
+      now[kernel.id] = kernel.weight;
+      if (!before.empty())
+      {
+        const auto last = before.find(kernel.id);
+        const float weight = last == before.end() ? 0.0f : last->second;
+        highest = std::max(highest, static_cast<double>(std::abs(kernel.weight - weight)));
+      }
+    }
+    before = std::move(now);
+  }
+  EXPECT_LE(highest, 1.001 * largest);
+  EXPECT_GT(highest, 0.9 * largest);
+}
+
+TEST(NoiseSurface, StretchedSurfaceHasTheSameOverlap)
+{
+  Surface square;
+  addGrid(square, { -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 60);
+  NoiseSurface surface(square.mesh());
+  Surface stretched = square;
+  for (glm::dvec3& point : stretched.points)
+  {
+    point = glm::dvec3(600.0 * point.x, 150.0 * point.y, 20.0 * std::sin(9.0 * point.x));
+  }
+  surface.setPositions(stretched.points);
+  const auto kernels = surface.kernels(parallelView({ 1000, 300 }), smallKernels());
+  EXPECT_NEAR(meanOverlap(kernels, { 0, 0 }, { 1000, 300 }), 32.0, 0.03 * 32.0);
+}
+
+TEST(NoiseSurface, KernelsAreThePointsOfTheDensity)
+{
+  // Large and tiny triangles side by side, and some in front of others.
+  Surface mixed;
+  addGrid(mixed, { -150, -100, 0 }, { 300, 0, 0 }, { 0, 200, 0 }, 1);
+  addGrid(mixed, { -20, -20, 1 }, { 40, 0, 0 }, { 0, 40, 0 }, 90);
+  addGrid(mixed, { -90, -20, 2 }, { 60, 0, 0 }, { 0, 60, 0 }, 9, 3.0);
+  NoiseSurface surface(mixed.mesh());
+  NoiseKernelOptions options = smallKernels();
+  for (const double overlap : { 2.0, 32.0, 800.0 })
+  {
+    options.overlap = overlap;
+    const double density =
+      overlap / (pi * 64.0 * noiseFadeShare(options.fade)); // one pixel per unit
+    const std::vector<NoisePoint> points = surface.points(density);
+    const std::vector<NoiseKernel> kernels = surface.kernels(parallelView({ 400, 300 }), options);
+    EXPECT_GT(static_cast<double>(kernels.size()), 200.0 * overlap);
+    // Weights of the last points are 0 up to rounding; a few may be on the other side.
+    std::vector<std::uint64_t> different;
+    const auto ids = sortedIds(points);
+    const auto drawn = sortedIds(kernels);
+    std::set_symmetric_difference(
+      ids.begin(), ids.end(), drawn.begin(), drawn.end(), std::back_inserter(different));
+    EXPECT_LE(different.size(), 1u) << overlap;
+  }
+}
+
+TEST(NoiseSurface, PanningLeavesTheRestAlone)
+{
+  const Surface sphere = makeNoiseSphere(60);
+  NoiseSurface surface(sphere.mesh());
+  const NoiseView middle = parallelView({ 400, 400 }, 150.0);
+  const NoiseView aside = parallelView({ 400, 400 }, 150.0, { 200.0, 0.0 });
+  std::map<std::uint64_t, NoiseKernel> before;
+  for (const NoiseKernel& kernel : surface.kernels(middle, smallKernels()))
+  {
+    before[kernel.id] = kernel;
+  }
+  std::size_t inside = 0;
+  for (const NoiseKernel& kernel : surface.kernels(aside, smallKernels()))
+  {
+    ASSERT_EQ(before.count(kernel.id), 1u);
+    const NoiseKernel& same = before[kernel.id];
+    EXPECT_NEAR(kernel.weight, same.weight, 1e-5);
+    EXPECT_NEAR(kernel.center.x, same.center.x + 200.0f, 1e-3);
+    EXPECT_EQ(kernel.phase, same.phase);
+    before.erase(kernel.id);
+    ++inside;
+  }
+  EXPECT_GT(inside, 5000u);
+  for (const auto& [id, kernel] : before)
+  {
+    EXPECT_GT(kernel.center.x, 200.0f + 7.99f) << "a kernel that meets the viewport was left out";
+  }
+}

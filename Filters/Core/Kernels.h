@@ -27,6 +27,7 @@ using namespace glm;
 #include "Kernels/Ink.glsl"
 #include "Kernels/Mix.glsl"
 #include "Kernels/Lod.glsl"
+#include "Kernels/NoiseKernel.glsl"
 #include "Kernels/PatternField.glsl"
 #include "Kernels/SurfacePattern.glsl"
 #include "Kernels/PatchBlend.glsl"

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Noise of kernels in the picture (Benard et al. 2010; Tricard et al. 2019): one kernel at one
+// pixel, what of it is seen there, and the way from sums of kernels to a uniform field.
+
+// Exponent of the envelope at the rim, where it is 5 %: -log(.05).
+const float noiseRimExponent = 2.99573227f;
+
+// Share of the change along a kernel's plane by which a pixel may lie off it, so that what is
+// curved counts. On a sphere of a radius of 4 kernel radii or more no pixel is lost but the last
+// one before the silhouette.
+const float noiseSlopeTolerance = 0.5f;
+
+// Expected variance (of kernels of weight 1 to 2.7 for N' = 32) and squared amplitude of a phasor
+// below which there is hardly any kernel: the field becomes flat instead of being amplified.
+const float noiseVarianceFloor = 1.0e-3f;
+const float phasorFloor = 1.0e-3f;
+
+// Distance in pixels at which the envelope ends, and the bandwidth of this distance.
+float kernelRadius(float bandwidth)
+{
+  return sqrt(noiseRimExponent / screenPi) / max(bandwidth, 1.0e-30f);
+}
+
+float kernelBandwidth(float radius)
+{
+  return sqrt(noiseRimExponent / screenPi) / max(radius, 1.0e-30f);
+}
+
+// Envelope at this squared distance from the centre, cut off at the rim.
+float noiseEnvelope(float distanceSquared, float bandwidth)
+{
+  float exponent = screenPi * bandwidth * bandwidth * distanceSquared;
+  return exponent <= noiseRimExponent ? exp(-exponent) : 0.0f;
+}
+
+// Kernel of weight 1 at an offset from its centre: envelope times cosine and sine of the wave. The
+// first is the Gabor kernel.
+vec2 phasorKernel(vec2 offset, float frequency, float bandwidth, float orientation, float phase)
+{
+  float along = offset.x * cos(orientation) + offset.y * sin(orientation);
+  float cycles = frequency * along;
+  float angle = 2.0f * screenPi * (cycles - floor(cycles)) + phase;
+  return noiseEnvelope(dot(offset, offset), bandwidth) * vec2(cos(angle), sin(angle));
+}
+
+float gaborKernel(vec2 offset, float frequency, float bandwidth, float orientation, float phase)
+{
+  return phasorKernel(offset, frequency, bandwidth, orientation, phase).x;
+}
+
+// Depth by which a pixel at this distance from the centre may lie off the kernel's plane, which
+// changes by `slope` per pixel, and still be on it. tolerance: of a surface that faces the viewer.
+float noiseDepthTolerance(float distance, float slope, float tolerance)
+{
+  return tolerance + noiseSlopeTolerance * slope * distance;
+}
+
+// How much a pixel counts whose depth deviates from the kernel's plane: 1 up to the tolerance, 0
+// from twice that on.
+float noiseDepthWeight(float deviation, float tolerance)
+{
+  float x = clamp(2.0f - abs(deviation) / max(tolerance, 1.0e-30f), 0.0f, 1.0f);
+  return x * x * (3.0f - 2.0f * x);
+}
+
+// Weight of a pixel of a kernel's disc in the share of it that is seen. Close to the envelope, but
+// 0 at the rim, so that no pixel enters or leaves with a jump.
+float noiseSampleWeight(float distanceSquared, float radius)
+{
+  float x = max(1.0f - distanceSquared / max(radius * radius, 1.0e-30f), 0.0f);
+  return x * x;
+}
+
+// Pixels between the samples of a disc of this radius, in both directions: 13 to 20 samples.
+float noiseSampleStep(float radius)
+{
+  return max(ceil(0.4f * radius), 1.0f);
+}
+
+// A sum of kernels over its expected deviation. lowest: variance that is hardly any.
+float normalisedNoise(float sum, float variance, float lowest)
+{
+  return sum * inversesqrt(max(variance, 0.0f) + lowest);
+}
+
+// Place of a normalised value in a table of equal steps from -range to range.
+float noiseTablePosition(float value, float range, float steps)
+{
+  return clamp((0.5f + 0.5f * value / range) * steps, 0.0f, steps);
+}
+
+// Least width of a field that has a certain variance: 1 where there is none, so that ink equals the
+// tone there.
+float noiseFlatWidth(float variance, float lowest)
+{
+  return lowest / (max(variance, 0.0f) + lowest);
+}
+
+// Phase of a sum of phasors, 0 to 1 over half a turn to both sides: uniform. 0.5 where there is
+// hardly any sum.
+float phasorValue(vec2 sum)
+{
+  float square = dot(sum, sum);
+  float turn = square > 0.0f ? abs(atan(sum.y, sum.x)) / screenPi : 0.5f;
+  return mix(turn, 0.5f, noiseFlatWidth(square, phasorFloor));
+}
+
+// Change of that value by one pixel in a direction in which the sum changes by `change` (central
+// differences). The sine of the phase's step is measured; around singularities it exceeds 1.
+float phasorChange(vec2 sum, vec2 change)
+{
+  float sine = (sum.x * change.y - sum.y * change.x) / (dot(sum, sum) + phasorFloor);
+  float x = clamp(sine, -2.0f, 2.0f);
+  float square = x * x;
+  return x * (1.0f + square * (1.0f / 6.0f + square * 0.075f)) / screenPi;
+}

@@ -1,0 +1,428 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NoiseFieldTiles.h"
+
+#include "NoiseFieldLanes.h"
+
+#include <algorithm>
+#include <cmath>
+
+// The loops over the pixels of kernels. A kernel is a product of functions of the column and of the
+// row: exp(-c (x^2 + y^2)) cos(b x + d y + p) =
+// [G(x) cos(b x)] [G(y) cos(d y + p)] - [G(x) sin(b x)] [G(y) sin(d y + p)].
+// So it takes two multiplications a pixel, those of the phasor's other part are the same factors,
+// and the variance is one more product. Eight columns at a time keep their factors in registers.
+namespace hachure::noise
+{
+
+namespace
+{
+
+constexpr int mostRows = tileHeight + 16;
+// By which the rows of a disc are too many rather than too few, in pixels: the circle is exact.
+constexpr float slack = 1e-2f;
+
+// The part of a kernel's disc that lies in a tile, in columns and rows of the framebuffer.
+struct Window
+{
+  int left, right, bottom, top;
+};
+
+HACHURE_INLINED Window windowOf(const TileKernel& kernel, const TileSums& sums)
+{
+  return { std::max(kernel.left, sums.left), std::min(kernel.right, sums.left + sums.width),
+    std::max(kernel.bottom, sums.bottom), std::min(kernel.top, sums.bottom + sums.height) };
+}
+
+// Factors of the rows of a window, which include the weight.
+struct Rows
+{
+  alignas(32) float cosine[mostRows];
+  alignas(32) float sine[mostRows];
+  alignas(32) float energy[mostRows];
+  alignas(32) float square[mostRows]; // of half the chord's length
+  alignas(32) float offset[mostRows];
+};
+
+HACHURE_INLINED void fillRows(const TileKernel& kernel, const Window& window, Rows& rows)
+{
+  const float start = static_cast<float>(window.bottom) + 0.5f;
+  for (int row = 0; row < window.top - window.bottom; row += floatLanes)
+  {
+    const FloatLanes y = (laneNumbers() + (start + static_cast<float>(row))) - kernel.y;
+    const FloatLanes envelope = decayLanes(y * y * kernel.decay) * kernel.weight;
+    FloatLanes cosine, sine;
+    turnLanes(y * kernel.turnY + kernel.turn, cosine, sine);
+    storeLanes(envelope * cosine, rows.cosine + row);
+    storeLanes(envelope * sine, rows.sine + row);
+    storeLanes(envelope * envelope * 0.5f, rows.energy + row);
+    storeLanes(kernel.radius * kernel.radius - y * y, rows.square + row);
+    storeLanes(y, rows.offset + row);
+  }
+}
+
+// Factors of eight columns.
+struct Columns
+{
+  FloatLanes offset, square, cosine, sine, energy;
+};
+
+HACHURE_INLINED void fillColumns(const TileKernel& kernel, int column, Columns& columns)
+{
+  const FloatLanes x = (laneNumbers() + (static_cast<float>(column) + 0.5f)) - kernel.x;
+  columns.offset = x;
+  columns.square = x * x;
+  const FloatLanes envelope = decayLanes(columns.square * kernel.decay);
+  FloatLanes cosine, sine;
+  turnLanes(x * kernel.turnX, cosine, sine);
+  columns.cosine = envelope * cosine;
+  columns.sine = envelope * sine;
+  columns.energy = envelope * envelope;
+}
+
+// Rows [first, last) of the window that eight columns have in common with the disc.
+struct RowRange
+{
+  int first, last;
+};
+
+HACHURE_INLINED RowRange rowsOf(const TileKernel& kernel, const Window& window, int column)
+{
+  const float low = static_cast<float>(column) + 0.5f - kernel.x;
+  const float nearest = std::max(std::max(low, -(low + floatLanes - 1.0f)), 0.0f);
+  const float square = kernel.radius * kernel.radius - nearest * nearest;
+  const float half = std::sqrt(std::max(square, 0.0f)) + slack;
+  const float center = kernel.y - 0.5f - static_cast<float>(window.bottom);
+  return { static_cast<int>(std::max(center - half, 0.0f)),
+    std::min(window.top - window.bottom, static_cast<int>(center + half + 1.0f)) };
+}
+
+// What hides a kernel's pixels.
+struct Tests
+{
+  bool depth, objects, triangles;
+  float tolerance;
+};
+
+// How much eight pixels count of a kernel. Where nothing is seen all count: there the noise goes
+// on, so that differences across a silhouette are those of the noise.
+HACHURE_INLINED FloatLanes passLanes(const TileKernel& kernel, const Tests& tests,
+  const Columns& columns, float y, const TileSums& sums, std::size_t place)
+{
+  FloatLanes weight = fillLanes(1.0f);
+  if (tests.depth)
+  {
+    const FloatLanes depth = loadLanes(&sums.depth[place]);
+    const FloatLanes deviation =
+      (depth - kernel.depth) - (columns.offset * kernel.slopeX + y * kernel.slopeY);
+    const float slope = std::sqrt(kernel.slopeX * kernel.slopeX + kernel.slopeY * kernel.slopeY);
+    weight = depthWeightLanes(
+      deviation, depthToleranceLanes(columns.square + y * y, slope, tests.tolerance));
+  }
+  if (tests.objects)
+  {
+    weight = keepEqual(&sums.objects[place], kernel.object, weight);
+  }
+  if (tests.triangles)
+  {
+    weight = keepEqual(&sums.triangles[place], kernel.triangle, weight);
+  }
+  if (!sums.depth.empty())
+  {
+    weight = keepWhere(seenLanes(loadLanes(&sums.depth[place])), weight - 1.0f) + 1.0f;
+  }
+  return weight;
+}
+
+// The kinds of kernels: each adds eight pixels of one row.
+struct Gabor
+{
+  template <bool tested>
+  static HACHURE_INLINED void add(const Columns& columns, const Rows& rows, int row,
+    const FloatLanes& pass, float* first)
+  {
+    const FloatLanes inside = rows.square[row] - columns.square;
+    FloatLanes value = columns.cosine * rows.cosine[row] - columns.sine * rows.sine[row];
+    FloatLanes variance = columns.energy * rows.energy[row];
+    if (tested)
+    {
+      value = value * pass;
+      variance = variance * (pass * pass);
+    }
+    addLanes(keepWhere(inside, value), first);
+    addLanes(keepWhere(inside, variance), first + TileSums::toSecond);
+  }
+};
+
+struct Phasor
+{
+  template <bool tested>
+  static HACHURE_INLINED void add(const Columns& columns, const Rows& rows, int row,
+    const FloatLanes& pass, float* first)
+  {
+    const FloatLanes inside = rows.square[row] - columns.square;
+    FloatLanes real = columns.cosine * rows.cosine[row] - columns.sine * rows.sine[row];
+    FloatLanes imaginary = columns.sine * rows.cosine[row] + columns.cosine * rows.sine[row];
+    if (tested)
+    {
+      real = real * pass;
+      imaginary = imaginary * pass;
+    }
+    addLanes(keepWhere(inside, real), first);
+    addLanes(keepWhere(inside, imaginary), first + TileSums::toSecond);
+  }
+};
+
+template <class Kind, bool tested>
+HACHURE_INLINED void addKernel(const TileKernel& kernel, const Tests& tests, TileSums& sums)
+{
+  const Window window = windowOf(kernel, sums);
+  Rows rows;
+  fillRows(kernel, window, rows);
+  for (int column = window.left; column < window.right; column += floatLanes)
+  {
+    Columns columns;
+    fillColumns(kernel, column, columns);
+    const RowRange range = rowsOf(kernel, window, column);
+    const std::size_t place = sums.place(column, window.bottom + range.first);
+    float* first = &sums.sums[place];
+    for (int row = range.first; row < range.last; ++row)
+    {
+      FloatLanes pass{};
+      if (tested)
+      {
+        pass = passLanes(
+          kernel, tests, columns, rows.offset[row], sums, first - sums.sums.data());
+      }
+      Kind::template add<tested>(columns, rows, row, pass, first);
+      first += TileSums::stride;
+    }
+  }
+}
+
+// Eight pixels of a spot, by linear interpolation between texels. These have whole numbers at their
+// centres; in the ring around the image it goes on.
+HACHURE_INLINED FloatLanes spotLanes(
+  const SpotTexels& spot, const FloatLanes& column, const FloatLanes& row)
+{
+  const float* values = spot.values.data();
+  const std::ptrdiff_t stride = spot.width + 2;
+  const FloatLanes x = limitLanes(column, spot.width + 0.999f);
+  const FloatLanes y = limitLanes(row, spot.height + 0.999f);
+  const FloatLanes i = floatsOf(wholeLanes(x));
+  const FloatLanes j = floatsOf(wholeLanes(y));
+  std::int32_t places[floatLanes];
+  const IntLanes whole = wholeLanes(j * static_cast<float>(stride) + i);
+  std::memcpy(places, &whole, sizeof(places));
+  alignas(32) float corners[4][floatLanes];
+  for (int lane = 0; lane < floatLanes; ++lane)
+  {
+    const float* texel = values + places[lane];
+    corners[0][lane] = texel[0];
+    corners[1][lane] = texel[1];
+    corners[2][lane] = texel[stride];
+    corners[3][lane] = texel[stride + 1];
+  }
+  const FloatLanes s = x - i;
+  const FloatLanes left = loadLanes(corners[0]);
+  const FloatLanes leftAbove = loadLanes(corners[2]);
+  const FloatLanes below = left + s * (loadLanes(corners[1]) - left);
+  const FloatLanes above = leftAbove + s * (loadLanes(corners[3]) - leftAbove);
+  return below + (y - j) * (above - below);
+}
+
+// Rotated and scaled to the kernel's square.
+HACHURE_INLINED FloatLanes spotRow(
+  const SpotTexels& spot, const TileKernel& kernel, const FloatLanes& x, float y)
+{
+  const float scaleX = 0.5f * spot.width / kernel.radius;
+  const float scaleY = 0.5f * spot.height / kernel.radius;
+  const FloatLanes along = x * kernel.directionX + y * kernel.directionY;
+  const FloatLanes across = y * kernel.directionX - x * kernel.directionY;
+  return spotLanes(spot, along * scaleX + (0.5f * spot.width + 0.5f),
+    across * scaleY + (0.5f * spot.height + 0.5f));
+}
+
+template <bool tested>
+HACHURE_INLINED void addSpot(
+  const TileKernel& kernel, const Tests& tests, const SpotTexels& spot, TileSums& sums)
+{
+  const Window window = windowOf(kernel, sums);
+  const float quarter = kernel.turn - std::floor(kernel.turn);
+  const float weight = quarter > 0.25f && quarter < 0.75f ? -kernel.weight : kernel.weight;
+  for (int column = window.left; column < window.right; column += floatLanes)
+  {
+    Columns columns;
+    columns.offset = (laneNumbers() + (static_cast<float>(column) + 0.5f)) - kernel.x;
+    columns.square = columns.offset * columns.offset;
+    const RowRange range = rowsOf(kernel, window, column);
+    for (int row = window.bottom + range.first; row < window.bottom + range.last; ++row)
+    {
+      const std::size_t place = sums.place(column, row);
+      const float y = static_cast<float>(row) + 0.5f - kernel.y;
+      const FloatLanes inside = (kernel.radius * kernel.radius - y * y) - columns.square;
+      FloatLanes value = spotRow(spot, kernel, columns.offset, y) * weight;
+      if (tested)
+      {
+        value = value * passLanes(kernel, tests, columns, y, sums, place);
+      }
+      addLanes(keepWhere(inside, value), &sums.sums[place]);
+      addLanes(keepWhere(inside, value * value), &sums.sums[place + TileSums::toSecond]);
+    }
+  }
+}
+
+// The kernels of a tile, in their order.
+struct Entries
+{
+  const TileKernel* kernels;
+  const std::uint32_t* order;
+  std::int64_t count;
+  Tests tests; // those that any kernel can need
+};
+
+// Kernels that are on their way from memory.
+constexpr std::int64_t ahead = 6;
+
+// Which tests a kernel needs, and whether any.
+HACHURE_INLINED bool chooseTests(const Entries& entries, const TileKernel& kernel, Tests& tests)
+{
+  tests = entries.tests;
+  tests.depth = tests.depth && !kernel.onPlane;
+  return tests.depth || tests.objects || tests.triangles;
+}
+
+template <class Kind>
+HACHURE_INLINED void addKernels(const Entries& entries, TileSums& sums)
+{
+  for (std::int64_t i = 0; i < entries.count; ++i)
+  {
+    const TileKernel& kernel = entries.kernels[entries.order[i]];
+    prefetch(&entries.kernels[entries.order[std::min(i + ahead, entries.count - 1)]]);
+    Tests tests;
+    if (chooseTests(entries, kernel, tests))
+    {
+      addKernel<Kind, true>(kernel, tests, sums);
+    }
+    else
+    {
+      addKernel<Kind, false>(kernel, tests, sums);
+    }
+  }
+}
+
+HACHURE_WIDE_CLONES
+void sumGabor(const Entries& entries, TileSums& sums)
+{
+  addKernels<Gabor>(entries, sums);
+}
+
+HACHURE_WIDE_CLONES
+void sumPhasor(const Entries& entries, TileSums& sums)
+{
+  addKernels<Phasor>(entries, sums);
+}
+
+HACHURE_WIDE_CLONES
+void sumSpots(const Entries& entries, const SpotTexels& spot, TileSums& sums)
+{
+  for (std::int64_t i = 0; i < entries.count; ++i)
+  {
+    const TileKernel& kernel = entries.kernels[entries.order[i]];
+    prefetch(&entries.kernels[entries.order[std::min(i + ahead, entries.count - 1)]]);
+    Tests tests;
+    if (chooseTests(entries, kernel, tests))
+    {
+      addSpot<true>(kernel, tests, spot, sums);
+    }
+    else
+    {
+      addSpot<false>(kernel, tests, spot, sums);
+    }
+  }
+}
+
+// Copies a tile's part of an array of the rectangle; empty stays empty.
+template <class T>
+void copyPart(Span<const T> from, const std::array<int, 4>& rectangle, T outside,
+  const TileSums& sums, std::vector<T>& to)
+{
+  to.clear();
+  if (from.empty())
+  {
+    return;
+  }
+  to.assign(sums.sums.size(), outside);
+  for (int row = 0; row < sums.height; ++row)
+  {
+    const std::size_t line =
+      static_cast<std::size_t>(sums.bottom + row - rectangle[1]) * rectangle[2];
+    std::copy_n(from.data() + line + (sums.left - rectangle[0]), sums.width,
+      to.data() + sums.place(sums.left, sums.bottom + row));
+  }
+}
+
+void prepareSums(const TileTask& task, const Tile& tile, int margin, TileSums& sums)
+{
+  const std::array<int, 4>& rectangle = task.surroundings->rectangle;
+  sums.left = std::max(tile.left - margin, rectangle[0]);
+  sums.width = std::min(tile.right + margin, rectangle[0] + rectangle[2]) - sums.left;
+  sums.bottom = std::max(tile.bottom - margin, rectangle[1]);
+  sums.height = std::min(tile.top + margin, rectangle[1] + rectangle[3]) - sums.bottom;
+  sums.sums.assign(static_cast<std::size_t>(sums.height + 2) * TileSums::stride, 0.0f);
+  copyPart(task.surroundings->depth, rectangle, 1.0f, sums, sums.depth);
+  copyPart(task.surroundings->objects, rectangle, 0, sums, sums.objects);
+  copyPart(task.surroundings->triangles, rectangle, 0, sums, sums.triangles);
+}
+
+} // namespace
+
+SpotTexels::SpotTexels(const NoiseSpot& spot)
+  : width(spot.width)
+  , height(spot.height)
+{
+  double mean = 0.0;
+  for (const float value : spot.values)
+  {
+    mean += value / static_cast<double>(spot.values.size());
+  }
+  this->values.reserve(static_cast<std::size_t>(width + 2) * (height + 2));
+  double squares = 0.0;
+  for (int row = -1; row <= height; ++row)
+  {
+    for (int column = -1; column <= width; ++column)
+    {
+      const int i = std::clamp(column, 0, width - 1);
+      const int j = std::clamp(row, 0, height - 1);
+      const double value = spot.values[static_cast<std::size_t>(j) * width + i] - mean;
+      squares += i == column && j == row ? value * value : 0.0;
+      this->values.push_back(static_cast<float>(value));
+    }
+  }
+  this->square = static_cast<float>(squares / static_cast<double>(spot.values.size()));
+}
+
+void sumTile(const TileTask& task, const Tile& tile, int margin, TileSums& sums)
+{
+  prepareSums(task, tile, margin, sums);
+  const NoiseSurroundings& surroundings = *task.surroundings;
+  const Entries entries = { task.tiled->kernels.data(), task.tiled->order.data() + tile.begin,
+    tile.end - tile.begin,
+    { surroundings.depthTest && !surroundings.depth.empty(),
+      !surroundings.objects.empty() && !tile.oneObject, !surroundings.triangles.empty(),
+      surroundings.depthTolerance } };
+  switch (task.options->kind)
+  {
+    case NoiseKind::gabor:
+      sumGabor(entries, sums);
+      break;
+    case NoiseKind::phasor:
+      sumPhasor(entries, sums);
+      break;
+    case NoiseKind::spot:
+      sumSpots(entries, *task.spot, sums);
+      break;
+  }
+}
+
+} // namespace hachure::noise

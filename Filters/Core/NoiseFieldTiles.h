@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hachure_NoiseFieldTiles_h
+#define hachure_NoiseFieldTiles_h
+
+#include "NoiseField.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+// How the sums of a noise are made: the rectangle is cut into tiles, which stay in the fastest
+// cache, and every tile sums up the kernels that meet it. A pixel's sum has the order of the
+// kernels, and each of its terms is a function of kernel and pixel alone.
+namespace hachure::noise
+{
+
+// Pixels of a tile; it is cut down to what is seen in it.
+constexpr int tileWidth = 64;
+constexpr int tileHeight = 64;
+
+// A kernel that is drawn, as the loops over pixels want it.
+struct TileKernel
+{
+  float x = 0.0f, y = 0.0f;
+  float radius = 0.0f;
+  float decay = 0.0f;               // pi a^2
+  float turnX = 0.0f, turnY = 0.0f; // turns per pixel
+  float turn = 0.0f;                // phase
+  float directionX = 1.0f, directionY = 0.0f;
+  float weight = 0.0f; // 0: not drawn
+  // Columns [left, right) and rows [bottom, top) of the framebuffer that hold its pixels.
+  int left = 0, right = 0, bottom = 0, top = 0;
+  float depth = 0.0f, slopeX = 0.0f, slopeY = 0.0f;
+  bool onPlane = true; // all pixels of the disc are
+  std::int32_t triangle = 0, object = 0;
+};
+
+// The columns [left, right) and rows [bottom, top) of the framebuffer, and its kernels.
+struct Tile
+{
+  int left = 0, right = 0, bottom = 0, top = 0;
+  std::int64_t begin = 0, end = 0; // in TiledKernels::order
+  bool oneObject = false;          // all that is seen here
+  std::int32_t object = 0;
+};
+
+struct TiledKernels
+{
+  std::vector<TileKernel> kernels;
+  std::vector<Tile> tiles; // those with something seen in them
+  std::vector<std::uint32_t> order;
+};
+
+// A spot ready to be sampled: mean 0, with one more texel on every side.
+struct SpotTexels
+{
+  int width = 0, height = 0; // without those
+  float square = 0.0f;       // mean of the squares
+  std::vector<float> values;
+  explicit SpotTexels(const NoiseSpot& spot);
+};
+
+// The sums of a tile's pixels and of `margin` more on every side, as far as the rectangle goes;
+// around them one line of pixels that nobody has summed up, and at the end of every line room for
+// eight more. A line of first sums (sums or real parts) is followed by its line of second sums
+// (variances or imaginary parts), so that both are in one stream; the other arrays have their lines
+// at the same places.
+struct TileSums
+{
+  static constexpr int toSecond = tileWidth + 16;
+  static constexpr int stride = 2 * toSecond;
+  int left = 0, bottom = 0, width = 0, height = 0;
+  std::vector<float> sums;
+  std::vector<float> depth;
+  std::vector<std::int32_t> objects, triangles;
+
+  std::size_t place(int column, int row) const // in the framebuffer
+  {
+    return static_cast<std::size_t>(row - this->bottom + 1) * stride +
+      (column - this->left + 1);
+  }
+};
+
+// What all tiles have in common.
+struct TileTask
+{
+  const NoiseSurroundings* surroundings;
+  const TiledKernels* tiled;
+  const NoiseFieldOptions* options;
+  const SpotTexels* spot; // of spot noise only
+};
+
+// Throws std::invalid_argument for what does not fit together.
+void checkNoiseInput(const NoiseSurroundings& surroundings, const NoiseFieldOptions& options);
+
+// Kernels of the rectangle's tiles, grown by `margin` pixels.
+TiledKernels tileKernels(
+  Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings, int margin);
+
+// Sums of one tile. `sums` is reused from tile to tile.
+void sumTile(const TileTask& task, const Tile& tile, int margin, TileSums& sums);
+
+// Calls finish(tile, sums) for all tiles, in parallel.
+void forTiles(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
+  const NoiseFieldOptions& options, int margin,
+  const std::function<void(const Tile&, TileSums&)>& finish);
+
+} // namespace hachure::noise
+
+#endif

@@ -84,7 +84,7 @@ inline ParameterSurface makeGrid(
   {
     for (int j = 0; j < rows; ++j)
     {
-      const auto id = static_cast<std::uint64_t>(i * rows + j);
+      const std::uint64_t id = result.parameters.size();
       result.parameters.push_back(
         { (i + move(i, columns - 1, grid.isClosed[0], id, 0)) / grid.columns,
           (j + move(j, rows - 1, grid.isClosed[1], id, 1)) / grid.rows });

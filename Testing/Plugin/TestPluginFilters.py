@@ -28,6 +28,16 @@ data = servermanager.Fetch(weights).GetPointData()
 assert data.GetArray("BlendPatches").GetRange(0) == (0, 6)
 assert 0.2 < data.GetArray("BlendWeights").GetRange(0)[0] < 0.6
 
+height = simple.Elevation(Input=sphere, LowPoint=[0, 0, -1], HighPoint=[0, 0, 1])
+field = scene.HachureDirectionField(Input=height, Method="Gradient", ArrayName="Elevation")
+for perpendicular, low, high in ((0, 0.9, 1.0), (1, 0.0, 0.05)):
+    field.Perpendicular = perpendicular
+    direction = servermanager.Fetch(field).GetPointData().GetArray("Direction")
+    equator = [abs(direction.GetComponent(i, 2)) for i in range(direction.GetNumberOfTuples())]
+    assert low <= sorted(equator)[len(equator) // 2] <= high, sorted(equator)
+field = scene.HachureDirectionField(Input=sphere)
+assert servermanager.Fetch(field).GetPointData().GetArray("PrincipalCurvatures").GetNumberOfComponents() == 2
+
 picked = simple.IDSelectionSource(IDs=[value for cell in range(5) for value in (-1, cell)], FieldType="CELL")
 patches = scene.HachureSurfacePatches(Input=sphere, Selection=picked, Method="Selection")
 values = servermanager.Fetch(patches).GetCellData().GetArray("PatchId")

@@ -15,6 +15,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -74,13 +75,13 @@ std::vector<glm::dvec2> estimateLines(const DirectionBlock& block,
 BlockField makeField(const DirectionBlock& block, const FieldOptions& options)
 {
   BlockField field;
-  const hachure::VertexGraph graph = hachure::makeVertexGraph(block.mesh(), block.vertices);
   if (block.triangles.empty())
   {
     field.points.directions.assign(block.points.size(), glm::dvec3(0.0));
     field.points.reliabilities.assign(block.points.size(), 0.0);
     return field;
   }
+  const hachure::VertexGraph graph = hachure::makeVertexGraph(block.mesh(), block.vertices);
   std::vector<glm::dvec2> lines = estimateLines(block, graph, options, field);
   for (glm::dvec2& line : lines)
   {
@@ -99,6 +100,27 @@ BlockField makeField(const DirectionBlock& block, const FieldOptions& options)
       hachure::directionsAtPoints(graph, block.mesh(), block.vertices, vertices, block.normals);
   }
   return field;
+}
+
+/// The fields of all blocks; none after an abort, which `progress` tells.
+std::vector<BlockField> makeFields(const std::vector<DirectionBlock>& blocks,
+  const FieldOptions& options, const hachure::ProgressFn& progress)
+{
+  std::vector<BlockField> fields;
+  fields.reserve(blocks.size());
+  const double share = 1.0 / static_cast<double>(std::max<std::size_t>(1, blocks.size()));
+  for (const DirectionBlock& block : blocks)
+  {
+    const double begin = share * static_cast<double>(fields.size());
+    if (!progress(begin))
+    {
+      return {};
+    }
+    FieldOptions ofBlock = options;
+    ofBlock.smoothing.progress = part(progress, begin, begin + share);
+    fields.push_back(makeField(block, ofBlock));
+  }
+  return fields;
 }
 
 vtkFloatArray* addArray(vtkPolyData* data, const char* name, int components)
@@ -139,6 +161,37 @@ void attachField(vtkPolyData* data, const BlockField& field, bool asTangents)
     data->GetPointData()->SetTangents(directions);
   }
 }
+
+void attachFields(vtkDataObject* output, const std::vector<DirectionBlock>& blocks,
+  const std::vector<BlockField>& fields, vtkSurfaceDirectionField& filter)
+{
+  const std::vector<vtkPolyData*> data = hachure::polyDataBlocks(output);
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    attachField(data[i], fields[i], filter.GetActiveTangents());
+    if (filter.GetMethod() == vtkSurfaceDirectionField::CURVATURE)
+    {
+      attachCurvatures(data[i], blocks[i], fields[i]);
+    }
+  }
+}
+
+FieldOptions readOptions(vtkSurfaceDirectionField& filter)
+{
+  FieldOptions options;
+  options.method = filter.GetMethod();
+  options.arrayName = filter.GetArrayName();
+  options.line = static_cast<hachure::CurvatureLine>(filter.GetPrincipalDirection());
+  options.perpendicular = filter.GetPerpendicular();
+  options.radius = filter.GetRadius();
+  options.smoothing.iterations = filter.GetSmoothingIterations();
+  filter.GetReferenceAxis(&options.smoothing.axis.x);
+  if (options.method != vtkSurfaceDirectionField::CURVATURE && options.arrayName.empty())
+  {
+    throw std::invalid_argument("ArrayName is empty; expected the name of an array");
+  }
+  return options;
+}
 } // namespace
 
 vtkSurfaceDirectionField::vtkSurfaceDirectionField() = default;
@@ -155,15 +208,6 @@ int vtkSurfaceDirectionField::RequestData(
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
-  FieldOptions options;
-  options.method = this->Method;
-  options.arrayName = this->ArrayName;
-  options.line = static_cast<hachure::CurvatureLine>(this->PrincipalDirection);
-  options.perpendicular = this->Perpendicular;
-  options.radius = this->Radius;
-  options.smoothing.iterations = this->SmoothingIterations;
-  options.smoothing.axis = { this->ReferenceAxis[0], this->ReferenceAxis[1],
-    this->ReferenceAxis[2] };
   const hachure::ProgressFn progress = [this](double fraction)
   {
     this->UpdateProgress(fraction);
@@ -171,35 +215,16 @@ int vtkSurfaceDirectionField::RequestData(
   };
   try
   {
-    if (this->Method != CURVATURE && this->ArrayName.empty())
-    {
-      throw std::invalid_argument("ArrayName is empty; expected the name of an array");
-    }
+    const FieldOptions options = readOptions(*this);
     const std::vector<DirectionBlock> blocks = hachure::readDirectionBlocks(input);
-    std::vector<BlockField> fields;
-    fields.reserve(blocks.size());
-    for (std::size_t i = 0; i < blocks.size() && !this->GetAbortExecute(); ++i)
-    {
-      const double share = 1.0 / static_cast<double>(blocks.size());
-      const double begin = share * static_cast<double>(i);
-      options.smoothing.progress = part(progress, begin, begin + share);
-      fields.push_back(makeField(blocks[i], options));
-    }
+    const std::vector<BlockField> fields = makeFields(blocks, options, progress);
     if (this->GetAbortExecute())
     {
       output->Initialize();
       return 1;
     }
     hachure::copyBlocks(input, output);
-    const std::vector<vtkPolyData*> data = hachure::polyDataBlocks(output);
-    for (std::size_t i = 0; i < blocks.size(); ++i)
-    {
-      attachField(data[i], fields[i], this->ActiveTangents);
-      if (this->Method == CURVATURE)
-      {
-        attachCurvatures(data[i], blocks[i], fields[i]);
-      }
-    }
+    attachFields(output, blocks, fields, *this);
   }
   catch (const std::invalid_argument& error)
   {

@@ -139,6 +139,13 @@ assert numpy.array_equal(array(out.GetBlock(3), "Direction"), array(field(plane)
 assert out.GetBlock(1).GetPointData().HasArray("Direction") and out.GetBlock(2) is None
 assert not blocks.GetBlock(0).GetPointData().HasArray("Direction")
 
+# Ghosts of other processes continue the surface, hidden cells do not.
+for kind, shares in ((1, (1.0, 1.0)), (32, (0.4, 0.6))):
+    ghosts = numpy.where(numpy.arange(tube.GetNumberOfCells()) < 32, kind, 0).astype(numpy.uint8)
+    out = field(with_array(tube, "vtkGhostType", ghosts, cells=True))
+    known = numpy.linalg.norm(array(out, "Direction"), axis=1) > 0.5
+    assert shares[0] <= known.mean() <= shares[1], (kind, known.mean())
+
 # An abort leaves no output.
 stopped = hachure.vtkSurfaceDirectionField()
 stopped.SetInputData(sphere)

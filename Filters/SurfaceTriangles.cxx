@@ -41,10 +41,11 @@ bool isInteger(vtkDataArray* array)
 class TriangleExtractor
 {
 public:
-  TriangleExtractor(SurfaceTriangles& target, const PatchSource& patchSource, TriangleChoice choice)
+  TriangleExtractor(SurfaceTriangles& target, const PatchSource& patchSource, TriangleChoice wanted)
     : result(target)
     , source(patchSource)
-    , takesAll(choice == TriangleChoice::All)
+    , takesAll(wanted == TriangleChoice::All)
+    , choice(wanted)
   {
   }
 
@@ -155,7 +156,8 @@ private:
 
   bool isVisible() const
   {
-    const int skipped = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+    const int ghost = choice == TriangleChoice::Drawable ? vtkDataSetAttributes::DUPLICATECELL : 0;
+    const int skipped = ghost | vtkDataSetAttributes::HIDDENCELL;
     return takesAll || !ghosts || cell >= ghosts->GetNumberOfTuples() ||
       (ghosts->GetValue(cell) & skipped) == 0;
   }
@@ -202,7 +204,7 @@ private:
 
   void addTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
   {
-    if (!takesAll && isDegenerateTriangle(point(a), point(b), point(c)))
+    if (choice == TriangleChoice::Drawable && isDegenerateTriangle(point(a), point(b), point(c)))
     {
       return;
     }
@@ -283,6 +285,7 @@ private:
   SurfaceTriangles& result;
   const PatchSource& source;
   const bool takesAll;
+  const TriangleChoice choice;
   SurfaceTriangles::Block block;
   vtkDataArray* patchArray = nullptr;
   vtkUnsignedCharArray* ghosts = nullptr;

@@ -27,12 +27,13 @@ struct PatchSource
 enum class TriangleChoice
 {
   Drawable, ///< none that are hidden, a ghost or not finite, and no triangle without area
+  Finite,   ///< none that are hidden or not finite; ghosts, which continue the surface, are there
   All       ///< all polygons and strips; a corner that is not finite is an error
 };
 
 /// All triangles of a vtkPolyData, or of all vtkPolyData blocks of a composite one after the other.
 /// Polygons (concave ones too) and strips are cut into triangles; vertices and lines are left out.
-/// Unless all are chosen, so are ghost and hidden cells, triangles without area and those with a
+/// Unless others are chosen, so are ghost and hidden cells, triangles without area and those with a
 /// non-finite corner.
 struct SurfaceTriangles
 {

@@ -11,7 +11,7 @@ import hachure
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkSphereSource, vtkSuperquadricSource
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 
@@ -94,8 +94,15 @@ def digests():
     blend = hachure.vtkPatchBlendWeights()
     blend.SetInputConnection(patches.GetOutputPort())
     blend.SetRings(3)
+    directions = hachure.vtkSurfaceDirectionField()
+    ring = vtkSuperquadricSource()
+    ring.ToroidalOn()
+    ring.SetThetaResolution(200)
+    ring.SetPhiResolution(64)
+    directions.SetInputConnection(ring.GetOutputPort())
     results = []
-    for filter_ in (sampler, tracker, pattern, paint, table, patches, blend, metrics_of_waves()):
+    for filter_ in (
+            sampler, tracker, pattern, paint, table, patches, blend, directions, metrics_of_waves()):
         filter_.Update()
         results.append(filter_.GetClassName() + " " + digest(filter_.GetOutput()))
     return "\n".join(results)
@@ -115,5 +122,5 @@ outputs = [
     ).stdout
     for threads in ("1", "8")
 ]
-assert outputs[0].count("\n") == 8, outputs[0]
+assert outputs[0].count("\n") == 9, outputs[0]
 assert outputs[0] == outputs[1], "\n".join(outputs)

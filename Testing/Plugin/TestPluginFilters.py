@@ -28,6 +28,16 @@ data = servermanager.Fetch(weights).GetPointData()
 assert data.GetArray("BlendPatches").GetRange(0) == (0, 6)
 assert 0.2 < data.GetArray("BlendWeights").GetRange(0)[0] < 0.6
 
+height = simple.Calculator(Input=sphere, Function="coordsZ", ResultArrayName="Height")
+field = scene.HachureDirectionField(Input=height, Method="Gradient", ArrayName="Height")
+for perpendicular, low, high in ((0, 0.6, 0.8), (1, 0.0, 0.02)):  # from 0 at the poles to 1 between
+    field.Perpendicular = perpendicular
+    direction = servermanager.Fetch(field).GetPointData().GetArray("Direction")
+    slopes = sorted(abs(direction.GetComponent(i, 2)) for i in range(direction.GetNumberOfTuples()))
+    assert low <= slopes[len(slopes) // 2] <= high, slopes[len(slopes) // 2]
+field = scene.HachureDirectionField(Input=sphere)
+assert servermanager.Fetch(field).GetPointData().GetArray("PrincipalCurvatures").GetNumberOfComponents() == 2
+
 picked = simple.IDSelectionSource(IDs=[value for cell in range(5) for value in (-1, cell)], FieldType="CELL")
 patches = scene.HachureSurfacePatches(Input=sphere, Selection=picked, Method="Selection")
 values = servermanager.Fetch(patches).GetCellData().GetArray("PatchId")

@@ -49,6 +49,8 @@ struct NoiseFieldOptions
   NoiseKind kind = NoiseKind::gabor;
   double overlap = 32.0; // N', for the distribution
   const NoiseSpot* spot = nullptr;
+  // Least width of the field, 0 to 1: how softly marks end.
+  double smoothness = 0.0;
 };
 
 // Per pixel of the rectangle.

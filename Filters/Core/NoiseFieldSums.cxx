@@ -138,8 +138,8 @@ HACHURE_INLINED FloatLanes passLanes(const TileKernel& kernel, const Tests& test
 struct Gabor
 {
   template <bool tested>
-  static HACHURE_INLINED void add(const Columns& columns, const Rows& rows, int row,
-    const FloatLanes& pass, float* first)
+  static HACHURE_INLINED void add(
+    const Columns& columns, const Rows& rows, int row, const FloatLanes& pass, float* first)
   {
     const FloatLanes inside = rows.square[row] - columns.square;
     FloatLanes value = columns.cosine * rows.cosine[row] - columns.sine * rows.sine[row];
@@ -157,8 +157,8 @@ struct Gabor
 struct Phasor
 {
   template <bool tested>
-  static HACHURE_INLINED void add(const Columns& columns, const Rows& rows, int row,
-    const FloatLanes& pass, float* first)
+  static HACHURE_INLINED void add(
+    const Columns& columns, const Rows& rows, int row, const FloatLanes& pass, float* first)
   {
     const FloatLanes inside = rows.square[row] - columns.square;
     FloatLanes real = columns.cosine * rows.cosine[row] - columns.sine * rows.sine[row];
@@ -191,8 +191,7 @@ HACHURE_INLINED void addKernel(const TileKernel& kernel, const Tests& tests, Til
       FloatLanes pass{};
       if (tested)
       {
-        pass = passLanes(
-          kernel, tests, columns, rows.offset[row], sums, first - sums.sums.data());
+        pass = passLanes(kernel, tests, columns, rows.offset[row], sums, first - sums.sums.data());
       }
       Kind::template add<tested>(columns, rows, row, pass, first);
       first += TileSums::stride;

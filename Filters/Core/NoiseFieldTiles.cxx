@@ -213,9 +213,11 @@ void forReachedTiles(const TileKernel& kernel, const Grid& grid, Visit&& visit)
     return;
   }
   const int left = std::max(kernel.left - grid.left - grid.margin, 0) / tileWidth;
-  const int right = std::min((kernel.right - 1 - grid.left + grid.margin) / tileWidth, grid.columns - 1);
+  const int right =
+    std::min((kernel.right - 1 - grid.left + grid.margin) / tileWidth, grid.columns - 1);
   const int bottom = std::max(kernel.bottom - grid.bottom - grid.margin, 0) / tileHeight;
-  const int top = std::min((kernel.top - 1 - grid.bottom + grid.margin) / tileHeight, grid.rows - 1);
+  const int top =
+    std::min((kernel.top - 1 - grid.bottom + grid.margin) / tileHeight, grid.rows - 1);
   for (int row = bottom; row <= top; ++row)
   {
     for (int column = left; column <= right; ++column)

@@ -224,7 +224,26 @@ bool NoiseProjection::project(
     slope = std::isfinite(steepness) ? slope * (steepest / steepness) : glm::dvec2(0.0);
   }
   image.depthSlope = slope;
+  if (this->options.turning)
+  {
+    image.turn = this->turn(triangle, this->size * glm::dvec2(u), this->size * glm::dvec2(v));
+  }
   return true;
+}
+
+// The rotation that is closest to the change of the image over the surface, both without units:
+// that of its polar decomposition. u, v: images of the edges.
+double NoiseProjection::turn(
+  const NoiseTriangle& triangle, const glm::dvec2& u, const glm::dvec2& v) const
+{
+  const double side = glm::length(triangle.u);
+  const double along = glm::dot(triangle.v, triangle.u) / side;
+  const double across = glm::length(glm::cross(triangle.u, triangle.v)) / side;
+  const glm::dvec2 first = u / side;
+  const glm::dvec2 second = (v - along * first) / across;
+  const double facing = u.x * v.y - u.y * v.x < 0.0 ? -1.0 : 1.0;
+  const double angle = std::atan2(first.y - facing * second.x, first.x + facing * second.y);
+  return std::isfinite(angle) ? angle : 0.0;
 }
 
 NoiseKernelOptions::Control NoiseProjection::control(const NoisePoint& point) const
@@ -249,7 +268,7 @@ double NoiseProjection::orientation(const NoiseImage& image, const glm::dvec3& d
     glm::dvec2(along(this->rowX, direction) - image.place.x * w,
       along(this->rowY, direction) - image.place.y * w);
   const bool isSeen = std::isfinite(lines.x + lines.y) && lines != glm::dvec2(0.0);
-  return isSeen ? std::atan2(lines.y, lines.x) + 0.5 * pi : this->options.orientation;
+  return isSeen ? std::atan2(lines.y, lines.x) + 0.5 * pi : this->options.orientation + image.turn;
 }
 
 bool NoiseProjection::placeKernel(const NoiseImage& image, const NoisePoint& point,

@@ -42,6 +42,7 @@ struct NoiseImage
   double magnification = 0.0; // square pixels per unit of the reference area
   glm::dvec3 place{ 0.0 };    // in clip space, divided by w
   double w = 1.0;
+  double turn = 0.0; // of the image against the triangle's first edge, radians, where it is wanted
 };
 
 // A view and the options of its kernels, ready for many points.
@@ -73,6 +74,7 @@ public:
 
 private:
   bool meetsViewport(const glm::dvec2& center, double radius) const;
+  double turn(const NoiseTriangle& triangle, const glm::dvec2& u, const glm::dvec2& v) const;
   double orientation(const NoiseImage& image, const glm::dvec3& direction) const;
 
   const NoiseKernelOptions& options;

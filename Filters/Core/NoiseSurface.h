@@ -56,6 +56,9 @@ struct NoiseKernelOptions
   // pi / 2: 0 anisotropic, pi / 2 isotropic.
   double orientation = 0.0;
   double spread = 0.0;
+  // Whether directions turn with the surface around the line of sight, so that kernels keep their
+  // look while it rolls. For a spread of pi / 2, where no direction is special, that alone differs.
+  bool turning = false;
   // Octaves of density over which a point fades in, > 0.
   double fade = 1.0;
   // Only phases 0 and pi: kernels of random sign. Otherwise all phases.

@@ -82,6 +82,8 @@ void vtkNoiseLayer::DescribeField(hachure::StyleArchive& archive)
     { this->GetAngleMinValue(), this->GetAngleMaxValue() });
   archive.number("spread", this, &Self::GetSpread, &Self::SetSpread,
     { this->GetSpreadMinValue(), this->GetSpreadMaxValue() });
+  archive.number("smoothness", this, &Self::GetSmoothness, &Self::SetSmoothness,
+    { this->GetSmoothnessMinValue(), this->GetSmoothnessMaxValue() });
   archive.number("overlap", this, &Self::GetOverlap, &Self::SetOverlap,
     { this->GetOverlapMinValue(), this->GetOverlapMaxValue() });
   archive.number("fade", this, &Self::GetFade, &Self::SetFade,
@@ -105,6 +107,7 @@ void vtkNoiseLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Regularity: " << this->Regularity << "\n";
   os << indent << "Angle: " << this->Angle << "\n";
   os << indent << "Spread: " << this->Spread << "\n";
+  os << indent << "Smoothness: " << this->Smoothness << "\n";
   os << indent << "Overlap: " << this->Overlap << "\n";
   os << indent << "Fade: " << this->Fade << "\n";
   os << indent << "Distribution: " << this->Distribution << "\n";

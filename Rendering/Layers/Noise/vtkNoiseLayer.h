@@ -102,6 +102,14 @@ public:
   ///@}
 
   ///@{
+  /** How softly marks end, as the part of all tones over which a point of the paper goes from bare
+   * to full ink. Range 0 (sharp, but for anti-aliasing) to 1 (a smooth grey), default 0. The tone
+   * stays exact. */
+  vtkSetClampMacro(Smoothness, double, 0.0, 1.0);
+  vtkGetMacro(Smoothness, double);
+  ///@}
+
+  ///@{
   /** Mean number N' of kernels that overlap in a pixel; quality against time. Range 4 to 256,
    * default 32; the paper uses 16 to 128. */
   vtkSetClampMacro(Overlap, double, 4.0, 256.0);
@@ -184,6 +192,7 @@ private:
   double Regularity = 1.0;
   double Angle = 45.0;
   double Spread = 0.0;
+  double Smoothness = 0.0;
   double Overlap = 32.0;
   double Fade = 1.0;
   int Distribution = EVEN;

@@ -109,6 +109,7 @@ hachure::NoiseFieldOptions vtkNoiseLayerPainter::FieldOptions() const
 {
   hachure::NoiseFieldOptions options;
   options.overlap = this->Layer->GetOverlap();
+  options.smoothness = this->Layer->GetSmoothness();
   switch (this->Layer->GetKind())
   {
     case vtkNoiseLayer::PHASOR:
@@ -135,6 +136,7 @@ hachure::NoiseKernelOptions vtkNoiseLayerPainter::KernelOptions() const
   options.orientation = (this->Layer->GetAngle() + (waves ? rightAngle : 0.0)) * radiansPerDegree;
   options.spread = this->Layer->GetSpread() * radiansPerDegree;
   options.fade = this->Layer->GetFade();
+  options.turning = this->Layer->GetSpread() >= rightAngle;
   options.signs = this->Layer->GetDistribution() == vtkNoiseLayer::CLASSIC;
   return options;
 }

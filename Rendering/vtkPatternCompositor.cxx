@@ -23,6 +23,7 @@
 #include "vtkPatternShaderText.h"
 #include "vtkPatternStyle.h"
 #include "vtkPatternTone.h"
+#include "vtkPatternToneCurve.h"
 #include "vtkPatternViewport.h"
 #include "vtkShaderProgram.h"
 
@@ -126,19 +127,6 @@ std::string CurvedTone(vtkPatternTone* tone, int channel)
                                                   : "toneCurve(" + power + ", hachureRemap@)";
 }
 
-glm::vec3 Remap(vtkPatternTone* tone)
-{
-  switch (tone->GetRemap())
-  {
-    case vtkPatternTone::STEPS:
-      return glm::vec3(hachure::glsl::remapSteps, static_cast<float>(tone->GetSteps()), 0.0f);
-    case vtkPatternTone::SMOOTHSTEP:
-      return glm::vec3(hachure::glsl::remapSmoothStep, static_cast<float>(tone->GetRemapRange()[0]),
-        static_cast<float>(tone->GetRemapRange()[1]));
-    default:
-      return glm::vec3(0.0f);
-  }
-}
 } // namespace
 
 void vtkPatternCompositor::Update(vtkPatternStyle* style, const vtkPatternToneChannels& channels,
@@ -222,15 +210,20 @@ bool vtkPatternCompositor::NeedsFields() const
     [](const Drawn& layer) { return layer.Painter->NeedsField(); });
 }
 
-void vtkPatternCompositor::DrawFields(const vtkPatternLayerPainter::FieldScene& scene)
+std::string vtkPatternCompositor::DrawFields(const vtkPatternLayerPainter::FieldScene& scene)
 {
-  for (const Drawn& layer : this->Layers)
+  std::string problem;
+  for (std::size_t i = 0; i < this->Layers.size(); ++i)
   {
+    const Drawn& layer = this->Layers[i];
     if (layer.Painter->NeedsField())
     {
-      layer.Painter->DrawField(scene);
+      const std::string own = layer.Painter->DrawField(scene, layer.Channel);
+      problem =
+        problem.empty() && !own.empty() ? "layer " + std::to_string(i) + ": " + own : problem;
     }
   }
+  return problem;
 }
 
 void vtkPatternCompositor::UpdateText(bool plainPaper)
@@ -359,7 +352,7 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
     {
       program->SetUniform4f(("hachureCurve" + number).c_str(), curve);
     }
-    const glm::vec3 remap = Remap(tone);
+    const glm::vec3 remap = vtkPattern::ToneRemap(tone);
     if (program->IsUniformUsed(("hachureRemap" + number).c_str()))
     {
       program->SetUniform3f(("hachureRemap" + number).c_str(), &remap.x);

@@ -45,7 +45,8 @@ public:
 
   /// Whether some layer's field is made for the pixels that are seen, and makes it.
   bool NeedsFields() const;
-  void DrawFields(const vtkPatternLayerPainter::FieldScene& scene);
+  /// Returns what is wrong with the data, empty where all is well.
+  std::string DrawFields(const vtkPatternLayerPainter::FieldScene& scene);
 
   /// Which octave of a layer's pattern every patch draws, for the draws that follow; layers that
   /// are not there go by the scale.

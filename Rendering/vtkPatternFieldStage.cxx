@@ -67,7 +67,7 @@ FieldScene::Seen LookAtTriangles(const vtkPatternFieldStage& stage)
 }
 } // namespace
 
-void vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
+std::string vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
 {
   // Steps in depth below this part of the object's size are relief of one surface.
   constexpr double relief = 0.004;
@@ -81,6 +81,16 @@ void vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
     }
     return seen;
   };
-  compositor.DrawFields({ &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle, depth,
-    DepthChange(this->ModelToClip, this->Center, relief * this->Diagonal), look });
+  std::vector<std::uint8_t> tones;
+  const auto lookAtTones = [&]() -> const std::vector<std::uint8_t>&
+  {
+    if (tones.empty())
+    {
+      tones = this->Resources.ReadTones(this->Window, this->Rectangle);
+    }
+    return tones;
+  };
+  return compositor.DrawFields(
+    { &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle, depth,
+      DepthChange(this->ModelToClip, this->Center, relief * this->Diagonal), look, lookAtTones });
 }

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <string>
 
 class vtkOpenGLRenderWindow;
 class vtkPatternCompositor;
@@ -28,9 +29,9 @@ struct vtkPatternFieldStage
   glm::dvec3 Center;            // of the surface's bounds
   double Diagonal;
 
-  /// Draws the fields of all layers that need it. Throws std::exception with the reason where that
-  /// is not possible.
-  void Draw(vtkPatternCompositor& compositor) const;
+  /// Draws the fields of all layers that need it. Returns what is wrong with the data, empty where
+  /// all is well. Throws std::exception with the reason where nothing can be drawn.
+  std::string Draw(vtkPatternCompositor& compositor) const;
 };
 
 #endif

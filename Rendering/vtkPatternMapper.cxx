@@ -537,8 +537,7 @@ void vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToCli
     const vtkPatternFieldStage stage = { drawing.Window, *drawing.Part.Resources,
       this->Internal->NoiseSurface, modelToClip, drawing.Viewport.Drawn, drawing.Rectangle,
       { center[0], center[1], center[2] }, box.GetDiagonalLength() };
-    stage.Draw(drawing.Part.Compositor);
-    this->Report(std::string(), this->Internal->ReportedField);
+    this->Report(stage.Draw(drawing.Part.Compositor), this->Internal->ReportedField);
   }
   catch (const std::exception& problem)
   {

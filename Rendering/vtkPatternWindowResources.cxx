@@ -176,6 +176,21 @@ std::vector<float> vtkPatternWindowResources::ReadDepth(
   return depth;
 }
 
+std::vector<std::uint8_t> vtkPatternWindowResources::ReadTones(
+  vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle)
+{
+  std::vector<std::uint8_t> tones(
+    4 * static_cast<std::size_t>(rectangle[2]) * static_cast<std::size_t>(rectangle[3]));
+  window->GetState()->PushFramebufferBindings();
+  this->AttributeFramebuffer->Bind(GL_READ_FRAMEBUFFER);
+  this->AttributeFramebuffer->ActivateReadBuffer(vtkPatternAttributes::TONE);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(rectangle[0], rectangle[1], rectangle[2], rectangle[3], GL_RGBA, GL_UNSIGNED_BYTE,
+    tones.data());
+  window->GetState()->PopFramebufferBindings();
+  return tones;
+}
+
 void vtkPatternWindowResources::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->AttributeFramebuffer->ReleaseGraphicsResources(window);

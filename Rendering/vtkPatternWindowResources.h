@@ -13,6 +13,7 @@
 #include "vtkTextureObject.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -39,6 +40,9 @@ public:
 
   /// Window depth of the attribute stage in a rectangle, row by row from the bottom.
   std::vector<float> ReadDepth(vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle);
+  /// The four tones of its pixels, 0 to 255.
+  std::vector<std::uint8_t> ReadTones(
+    vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

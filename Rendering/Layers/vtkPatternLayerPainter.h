@@ -86,10 +86,14 @@ public:
       std::vector<std::int32_t> Objects;   // their blocks
     };
     std::function<const Seen&()> LookAtTriangles; // draws the surface once more
+    /// Tones of four channels in the rectangle, 0 to 255.
+    std::function<const std::vector<std::uint8_t>&()> LookAtTones;
   };
   /// Whether DrawField must be called between the surface's drawing and that of the layers.
   virtual bool NeedsField() const { return false; }
-  virtual void DrawField(const FieldScene&) {}
+  /// channel: of the layer's tone, -1 where it has none. Returns what is wrong with the data, empty
+  /// where all is well; a field is drawn all the same.
+  virtual std::string DrawField(const FieldScene&, int) { return {}; }
 
   /// Declarations with '@' for the layer's number; they define
   /// float hachureCoverage@(vec2 position, float tone). patches: where there are several patches.

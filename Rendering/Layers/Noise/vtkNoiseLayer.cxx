@@ -11,6 +11,76 @@
 
 vtkStandardNewMacro(vtkNoiseLayer);
 
+namespace
+{
+constexpr double leastFactor = 0.25;
+constexpr double greatestFactor = 4.0;
+
+// Returns whether the text changed.
+bool Change(std::string& text, const char* name)
+{
+  const std::string before = text;
+  text = name ? name : "";
+  return text != before;
+}
+
+bool Change(double (&pair)[2], double lowest, double highest)
+{
+  const double before[2] = { pair[0], pair[1] };
+  pair[0] = std::clamp(lowest, leastFactor, greatestFactor);
+  pair[1] = std::clamp(highest, leastFactor, greatestFactor);
+  return pair[0] != before[0] || pair[1] != before[1];
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+void vtkNoiseLayer::SetDirectionArrayName(const char* name)
+{
+  if (Change(this->DirectionArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkNoiseLayer::GetDirectionArrayName()
+{
+  return this->DirectionArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkNoiseLayer::SetControlArrayName(const char* name)
+{
+  if (Change(this->ControlArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkNoiseLayer::GetControlArrayName()
+{
+  return this->ControlArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkNoiseLayer::SetSizeFactors(double lowest, double highest)
+{
+  if (Change(this->SizeFactors, lowest, highest))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNoiseLayer::SetRegularityFactors(double lowest, double highest)
+{
+  if (Change(this->RegularityFactors, lowest, highest))
+  {
+    this->Modified();
+  }
+}
+
 //------------------------------------------------------------------------------
 void vtkNoiseLayer::SetImage(vtkImageData* image)
 {
@@ -47,10 +117,8 @@ bool vtkNoiseLayer::ReadImage(const std::string& fileName)
 //------------------------------------------------------------------------------
 void vtkNoiseLayer::SetImageFileName(const char* fileName)
 {
-  const std::string text = fileName ? fileName : "";
-  if (text != this->ImageFileName)
+  if (Change(this->ImageFileName, fileName))
   {
-    this->ImageFileName = text;
     this->Modified();
   }
 }
@@ -82,6 +150,13 @@ void vtkNoiseLayer::DescribeField(hachure::StyleArchive& archive)
     { this->GetAngleMinValue(), this->GetAngleMaxValue() });
   archive.number("spread", this, &Self::GetSpread, &Self::SetSpread,
     { this->GetSpreadMinValue(), this->GetSpreadMaxValue() });
+  archive.text("directionArray", this, &Self::GetDirectionArrayName, &Self::SetDirectionArrayName);
+  archive.choice(
+    "control", this, &Self::GetControl, &Self::SetControl, { "none", "tone", "array" });
+  archive.text("controlArray", this, &Self::GetControlArrayName, &Self::SetControlArrayName);
+  archive.pair("controlRange", this, &Self::GetControlRange, &Self::SetControlRange);
+  archive.pair("sizeFactors", this, &Self::GetSizeFactors, &Self::SetSizeFactors);
+  archive.pair("regularityFactors", this, &Self::GetRegularityFactors, &Self::SetRegularityFactors);
   archive.number("smoothness", this, &Self::GetSmoothness, &Self::SetSmoothness,
     { this->GetSmoothnessMinValue(), this->GetSmoothnessMaxValue() });
   archive.number("overlap", this, &Self::GetOverlap, &Self::SetOverlap,
@@ -107,6 +182,14 @@ void vtkNoiseLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Regularity: " << this->Regularity << "\n";
   os << indent << "Angle: " << this->Angle << "\n";
   os << indent << "Spread: " << this->Spread << "\n";
+  os << indent << "DirectionArrayName: " << this->DirectionArrayName << "\n";
+  os << indent << "Control: " << this->Control << "\n";
+  os << indent << "ControlArrayName: " << this->ControlArrayName << "\n";
+  os << indent << "ControlRange: " << this->ControlRange[0] << ", " << this->ControlRange[1]
+     << "\n";
+  os << indent << "SizeFactors: " << this->SizeFactors[0] << ", " << this->SizeFactors[1] << "\n";
+  os << indent << "RegularityFactors: " << this->RegularityFactors[0] << ", "
+     << this->RegularityFactors[1] << "\n";
   os << indent << "Smoothness: " << this->Smoothness << "\n";
   os << indent << "Overlap: " << this->Overlap << "\n";
   os << indent << "Fade: " << this->Fade << "\n";

@@ -58,6 +58,17 @@ public:
     CLASSIC = 1
   };
 
+  /**
+   * What changes size and regularity of the marks from place to place. TONE: the layer's own tone.
+   * ARRAY: ControlArrayName.
+   */
+  enum ControlType
+  {
+    NO_CONTROL = 0,
+    TONE = 1,
+    ARRAY = 2
+  };
+
   const char* GetTypeName() override { return "noise"; }
 
   ///@{
@@ -99,6 +110,40 @@ public:
    * alike: anisotropic noise, hatches) to 90 (isotropic noise, stipples); default 0. */
   vtkSetClampMacro(Spread, double, 0.0, 90.0);
   vtkGetMacro(Spread, double);
+  ///@}
+
+  ///@{
+  /** Point or cell array of three numbers that gives the strokes' direction on the surface,
+   * whatever its sign and length, as vtkSurfaceDirectionField does; a spread is about it. Where it
+   * is 0 the strokes have Angle. Default empty: all have. An error names an array that is missing
+   * or has other components; the strokes then have Angle. */
+  virtual void SetDirectionArrayName(const char* name);
+  virtual const char* GetDirectionArrayName();
+  ///@}
+
+  ///@{
+  /**
+   * What changes the marks from place to place, one of ControlType; default NO_CONTROL.
+   * SizeFactors: factors of Size where it is lowest and highest, range 0.25 to 4, default 1 and 1;
+   * between them the factor grows evenly in its logarithm. RegularityFactors: the same for
+   * Regularity. Where the control has no number, both are 1.
+   */
+  vtkSetClampMacro(Control, int, NO_CONTROL, ARRAY);
+  vtkGetMacro(Control, int);
+  virtual void SetSizeFactors(double lowest, double highest);
+  vtkGetVector2Macro(SizeFactors, double);
+  virtual void SetRegularityFactors(double lowest, double highest);
+  vtkGetVector2Macro(RegularityFactors, double);
+  ///@}
+
+  ///@{
+  /** Point or cell array of one number for the control ARRAY, and its values that count as lowest
+   * and highest; default 0 and 1. An error names an array that is missing or has other components,
+   * which then changes nothing. */
+  virtual void SetControlArrayName(const char* name);
+  virtual const char* GetControlArrayName();
+  vtkSetVector2Macro(ControlRange, double);
+  vtkGetVector2Macro(ControlRange, double);
   ///@}
 
   ///@{
@@ -192,6 +237,12 @@ private:
   double Regularity = 1.0;
   double Angle = 45.0;
   double Spread = 0.0;
+  std::string DirectionArrayName;
+  int Control = NO_CONTROL;
+  double SizeFactors[2] = { 1.0, 1.0 };
+  double RegularityFactors[2] = { 1.0, 1.0 };
+  std::string ControlArrayName;
+  double ControlRange[2] = { 0.0, 1.0 };
   double Smoothness = 0.0;
   double Overlap = 32.0;
   double Fade = 1.0;

@@ -7,6 +7,7 @@
 #include "Kernels.h"
 #include "NoiseLayer.h"
 #include "PatternImageFile.h"
+#include "vtkNoiseControl.h"
 #include "vtkNoiseLayer.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternNoiseSurface.h"
@@ -158,14 +159,14 @@ void vtkNoiseLayerPainter::UpdateThresholds()
   }
 }
 
-std::vector<hachure::NoiseKernel> vtkNoiseLayerPainter::Kernels(const FieldScene& scene) const
+std::vector<hachure::NoiseKernel> vtkNoiseLayerPainter::Kernels(
+  const FieldScene& scene, const hachure::NoiseKernelOptions& options) const
 {
   vtkPatternNoiseSurface& surface = *scene.Surface;
   hachure::NoiseView view;
   view.modelToClip = scene.ModelToClip;
   view.viewportOrigin = { scene.Viewport[0], scene.Viewport[1] };
   view.viewportSize = { scene.Viewport[2], scene.Viewport[3] };
-  const hachure::NoiseKernelOptions options = this->KernelOptions();
   const std::uint32_t seed = this->Layer->GetSeed();
   return this->Layer->GetDistribution() == vtkNoiseLayer::CLASSIC
     ? hachure::classicNoiseKernels(
@@ -193,11 +194,15 @@ hachure::NoiseSurroundings vtkNoiseLayerPainter::Surroundings(const FieldScene& 
   return around;
 }
 
-void vtkNoiseLayerPainter::DrawField(const FieldScene& scene)
+std::string vtkNoiseLayerPainter::DrawField(const FieldScene& scene, int channel)
 {
-  const std::vector<hachure::NoiseKernel> kernels = this->Kernels(scene);
+  const vtkNoiseControl control(this->Layer, scene, channel);
+  hachure::NoiseKernelOptions options = this->KernelOptions();
+  control.Apply(options);
+  const std::vector<hachure::NoiseKernel> kernels = this->Kernels(scene, options);
   this->Upload(
     hachure::noiseField(kernels, this->Surroundings(scene), this->FieldOptions()), scene.Rectangle);
+  return control.GetProblem();
 }
 
 // As the tiles of image patterns are stored: 32 bits a texel are fast in software OpenGL.

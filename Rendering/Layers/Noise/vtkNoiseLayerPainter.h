@@ -26,7 +26,7 @@ public:
   const std::vector<float>& GetTableRows() const override { return this->Thresholds; }
   unsigned long GetTableVersion() const override { return this->TableVersion; }
   bool NeedsField() const override { return true; }
-  void DrawField(const FieldScene& scene) override;
+  std::string DrawField(const FieldScene& scene, int channel) override;
   void SetUniforms(vtkShaderProgram* program, const std::string& number,
     const hachure::PatternFrame& frame, const hachure::TimedOctave* octave,
     const TablePart& rows) override;
@@ -41,7 +41,8 @@ private:
   void UpdateThresholds();
   hachure::NoiseFieldOptions FieldOptions() const;
   hachure::NoiseKernelOptions KernelOptions() const;
-  std::vector<hachure::NoiseKernel> Kernels(const FieldScene& scene) const;
+  std::vector<hachure::NoiseKernel> Kernels(
+    const FieldScene& scene, const hachure::NoiseKernelOptions& options) const;
   hachure::NoiseSurroundings Surroundings(const FieldScene& scene) const;
   void Upload(const hachure::NoiseField& field, const std::array<int, 4>& rectangle);
 

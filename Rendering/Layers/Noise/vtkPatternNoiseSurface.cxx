@@ -5,6 +5,7 @@
 #include "Random.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkPatternBlocks.h"
 #include "vtkPolyData.h"
 
@@ -13,10 +14,17 @@
 
 void vtkPatternNoiseSurface::Update(vtkDataObject* input)
 {
+  if (this->Input != input || this->InputTime != input->GetMTime())
+  {
+    this->Input = input;
+    this->InputTime = input->GetMTime();
+    this->Arrays.clear();
+  }
   const vtkPatternGeometry::Change change = this->Geometry.Update(input);
   if (change == vtkPatternGeometry::REPLACED)
   {
     this->Seeds.clear();
+    this->Arrays.clear();
     this->Surface = hachure::extractSurfaceTriangles(input);
     this->Identify(input);
   }
@@ -88,6 +96,18 @@ hachure::NoiseSurface& vtkPatternNoiseSurface::Points(std::uint32_t seed)
       { first, this->Surface.triangles, {} }, this->Ids, this->Surface.blockIndices, seed);
     points.setPositions(this->Positions);
     found = this->Seeds.emplace(seed, std::move(points)).first;
+  }
+  return found->second;
+}
+
+const vtkPatternSurfaceArray& vtkPatternNoiseSurface::Array(const std::string& name, int components)
+{
+  const std::pair<std::string, int> key(name, components);
+  auto found = this->Arrays.find(key);
+  if (found == this->Arrays.end())
+  {
+    const vtkPatternSurfaceArray array(this->Input, this->Surface, name, components);
+    found = this->Arrays.emplace(key, array).first;
   }
   return found->second;
 }

@@ -9,9 +9,12 @@
 #include "NoiseSurface.h"
 #include "SurfaceTriangles.h"
 #include "vtkPatternGeometry.h"
+#include "vtkPatternSurfaceArray.h"
 
 #include <cstdint>
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 class vtkDataObject;
@@ -30,6 +33,8 @@ public:
   const std::vector<std::uint64_t>& TriangleIds() const { return this->Ids; }
   /// Block of each triangle.
   const std::vector<std::int32_t>& Objects() const { return this->Surface.blockIndices; }
+  /// Throws std::invalid_argument as vtkPatternSurfaceArray does. Until the next update.
+  const vtkPatternSurfaceArray& Array(const std::string& name, int components);
   bool HasSeveralBlocks() const { return this->Surface.blocks.size() > 1; }
 
 private:
@@ -41,6 +46,9 @@ private:
   std::vector<glm::dvec3> Positions; // now
   std::vector<std::uint64_t> Ids;    // from global ids of cells; empty where there are none
   std::map<std::uint32_t, hachure::NoiseSurface> Seeds;
+  vtkDataObject* Input = nullptr; // of the last update
+  std::uint64_t InputTime = 0;
+  std::map<std::pair<std::string, int>, vtkPatternSurfaceArray> Arrays;
 };
 
 #endif

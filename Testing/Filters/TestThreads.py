@@ -94,8 +94,12 @@ def digests():
     blend = hachure.vtkPatchBlendWeights()
     blend.SetInputConnection(patches.GetOutputPort())
     blend.SetRings(3)
+    noise = hachure.vtkNoiseKernelPoints()
+    noise.SetInputConnection(surface.GetOutputPort())
+    noise.SetCamera(camera_at(0.0))
     results = []
-    for filter_ in (sampler, tracker, pattern, paint, table, patches, blend, metrics_of_waves()):
+    for filter_ in (
+            sampler, tracker, pattern, paint, table, patches, blend, noise, metrics_of_waves()):
         filter_.Update()
         results.append(filter_.GetClassName() + " " + digest(filter_.GetOutput()))
     return "\n".join(results)
@@ -115,5 +119,5 @@ outputs = [
     ).stdout
     for threads in ("1", "8")
 ]
-assert outputs[0].count("\n") == 8, outputs[0]
+assert outputs[0].count("\n") == 9, outputs[0]
 assert outputs[0] == outputs[1], "\n".join(outputs)

@@ -16,8 +16,8 @@
 // seed and id) and of its reference area, and of nothing else.
 //
 // Octave k holds the births from 2^k to 2^(k+1). The lowest octaves, in which the triangle has less
-// than 1/16 of a point in all, share one count: most triangles have no point in them, which one
-// comparison tells. Every octave above has a count of its own. A triangle with 32 and more points
+// than 1/21 of a point in all, share one count: most triangles have no point in them, which one
+// comparison tells. Every octave above has a count of its own. A triangle with 24 and more points
 // in an octave is cut 1 to 4 until each cell has fewer, and every cell has its own count, so that
 // the points of any part of a large triangle can be made without those of the rest.
 namespace hachure
@@ -41,17 +41,25 @@ inline double powerOfTwo(int exponent)
   return value;
 }
 
-// Octaves up to this one share a count. Its own mean is in [2^-6, 2^-5), that of all of them twice
-// as much.
-inline int noiseSharedOctave(double area)
+// What decides on octaves and cells. The areas of many meshes are powers of two or round numbers;
+// they must be far from where the exponent changes, or the rounding of a rotation would be enough
+// to give a triangle other points.
+inline int noiseAreaExponent(double area)
 {
-  return -6 - binaryExponent(area);
+  return binaryExponent(1.37 * area);
 }
 
-// The highest octave that is not cut into cells. Its mean is in [16, 32).
+// Octaves up to this one share a count. Its own mean is between 1/88 and 1/43, that of all of them
+// twice as much.
+inline int noiseSharedOctave(double area)
+{
+  return -6 - noiseAreaExponent(area);
+}
+
+// The highest octave that is not cut into cells. Its mean is between 11 and 24.
 inline int noiseWholeOctave(double area)
 {
-  return 4 - binaryExponent(area);
+  return 4 - noiseAreaExponent(area);
 }
 
 // How often a triangle is cut 1 to 4 for an octave.

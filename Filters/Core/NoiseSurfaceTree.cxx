@@ -27,11 +27,11 @@ constexpr std::int64_t nodeGrain = 2048;
 // Rounding must not leave a corner outside.
 constexpr double looseness = 1.0 + 1e-12;
 
-// Octaves of a node: up to 32 points in the highest, but of a leaf up to 128, so that its
-// triangles, which come next, have several each.
+// Octaves of a node: up to 24 points in the highest, but of a leaf up to 94, so that its triangles,
+// which come next, have several each.
 std::int32_t nodeOctave(double area, bool isLeaf)
 {
-  return (isLeaf ? 6 : 4) - binaryExponent(area);
+  return (isLeaf ? 6 : 4) - noiseAreaExponent(area);
 }
 
 // The box around a leaf's corners, and the squares of its areas.

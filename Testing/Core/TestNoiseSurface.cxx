@@ -35,7 +35,94 @@ Surface makeFloor()
   return floor;
 }
 
+// Tiny triangles, and as many leaves' worth of large ones between them.
+Surface makeUnequal()
+{
+  Surface surface;
+  for (int i = 0; i < 60 * 32; ++i)
+  {
+    const double size = i % 32 == 0 ? 60.0 : 0.2;
+    const glm::dvec3 corner(0.01 * (i % 100), 0.01 * (i / 100), 0.0);
+    surface.points.push_back(corner);
+    surface.points.push_back(corner + glm::dvec3(size, 0.0, 0.1 * size));
+    surface.points.push_back(corner + glm::dvec3(0.0, size, 0.0));
+    surface.triangles.push_back(glm::ivec3(0, 1, 2) + 3 * i);
+  }
+  return surface;
+}
+
+glm::dvec2 imageOf(const NoiseView& view, const glm::dvec3& point)
+{
+  const glm::dvec4 clip = view.modelToClip * glm::dvec4(point, 1.0);
+  return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * view.viewportSize;
+}
+
+// Compares with the weights of all points, one by one, their densities by differences.
+void expectAllKernels(const Surface& surface, const Surface& reference, const NoiseView& view,
+  const NoiseKernelOptions& options, double highest)
+{
+  NoiseSurface noise(reference.mesh());
+  noise.setPositions(surface.points);
+  std::map<std::uint64_t, float> drawn;
+  for (const NoiseKernel& kernel : noise.kernels(view, options))
+  {
+    drawn[kernel.id] = kernel.weight;
+  }
+  const double lambda =
+    options.overlap / (pi * options.radius * options.radius * noiseFadeShare(options.fade));
+  std::size_t expected = 0;
+  for (const NoisePoint& point : noise.points(highest))
+  {
+    const glm::ivec3 corners = surface.triangles[point.triangle];
+    const glm::dvec3 a = surface.points[corners.x];
+    const glm::dvec3 u = surface.points[corners.y] - a;
+    const glm::dvec3 v = surface.points[corners.z] - a;
+    const glm::dvec3 place = a + point.weights.x * u + point.weights.y * v;
+    const glm::dvec2 center = imageOf(view, place);
+    const double step = 1e-6;
+    const glm::dvec2 du = (imageOf(view, place + step * u) - center) / step;
+    const glm::dvec2 dv = (imageOf(view, place + step * v) - center) / step;
+    const double area = 0.5 * glm::length(triangleAreaVector(reference.mesh(), point.triangle));
+    const double density = lambda * std::abs(du.x * dv.y - du.y * dv.x) / (2.0 * area);
+    const bool isInside = glm::clamp(center, glm::dvec2(0.0), view.viewportSize) == center;
+    ASSERT_TRUE(!isInside || density < highest) << density;
+    const double weight = noiseFadeWeight(density, point.birth, options.fade);
+    if (isInside && weight > 1e-3)
+    {
+      ASSERT_EQ(drawn.count(point.id), 1u) << "birth " << point.birth << " of " << density;
+      EXPECT_NEAR(drawn[point.id], weight, 1e-3);
+      ++expected;
+    }
+  }
+  EXPECT_GT(expected, 500u);
+  EXPECT_LT(drawn.size(), 2 * expected) << "nothing else";
+}
+
 } // namespace
+
+TEST(NoiseSurface, NoPointIsMissed)
+{
+  const Surface unequal = makeUnequal();
+  NoiseKernelOptions options = smallKernels();
+  options.overlap = 16.0;
+  expectAllKernels(unequal, unequal, parallelView({ 200, 200 }, 3.0, { -30, -30 }), options, 2.0);
+  options.overlap = 4.0;
+  // From very near, so that densities differ by a lot within a node.
+  Surface floor;
+  addGrid(floor, { -10, -2, -30 }, { 20, 0, 0 }, { 0, 0, 32 }, 40);
+  const NoiseView view = perspectiveView({ 300, 200 }, { 0, 0, 0 }, { 0, -0.8, -1 }, 80.0);
+  expectAllKernels(floor, floor, view, options, 500.0);
+  Surface single;
+  addGrid(single, { -10, -2, -30 }, { 20, 0, 0 }, { 0, 0, 32 }, 1);
+  expectAllKernels(single, single, view, options, 500.0);
+  // A part of the surface has grown.
+  Surface grown = floor;
+  for (glm::dvec3& point : grown.points)
+  {
+    point.x *= point.x > 0.0 ? 4.0 : 0.25;
+  }
+  expectAllKernels(grown, floor, view, options, 1200.0);
+}
 
 TEST(NoiseSurface, OverlapDoesNotDependOnTheTriangles)
 {

@@ -100,9 +100,13 @@ def digests():
     ring.SetThetaResolution(200)
     ring.SetPhiResolution(64)
     directions.SetInputConnection(ring.GetOutputPort())
+    noise = hachure.vtkNoiseKernelPoints()
+    noise.SetInputConnection(surface.GetOutputPort())
+    noise.SetCamera(camera_at(0.0))
     results = []
     for filter_ in (
-            sampler, tracker, pattern, paint, table, patches, blend, directions, metrics_of_waves()):
+            sampler, tracker, pattern, paint, table, patches, blend, directions, noise,
+            metrics_of_waves()):
         filter_.Update()
         results.append(filter_.GetClassName() + " " + digest(filter_.GetOutput()))
     return "\n".join(results)

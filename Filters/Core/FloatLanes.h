@@ -111,7 +111,11 @@ HACHURE_INLINED FloatLanes keepWhere(const FloatLanes& test, const FloatLanes& v
 
 HACHURE_INLINED FloatLanes fillLanes(float value)
 {
+#if defined(__GNUC__)
+  return FloatLanes{ value, value, value, value, value, value, value, value };
+#else
   return FloatLanes{} + value;
+#endif
 }
 
 HACHURE_INLINED FloatLanes lowerLanes(const FloatLanes& a, const FloatLanes& b)

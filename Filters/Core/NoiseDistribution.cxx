@@ -17,7 +17,7 @@
 // A pixel of the noise is the real part of a sum of phasors whose number is Poisson distributed and
 // whose lengths are those of the envelope at places that are uniform in the disc. All phases being
 // equally likely, so is that of the sum: given the sum's magnitude the real part has the
-// distribution of a cosine. Only the magnitudes are simulated.
+// distribution of a cosine. Only the magnitudes are simulated, and only where the kernels are few.
 namespace hachure
 {
 
@@ -30,8 +30,9 @@ constexpr std::int64_t simulationsPerRange = 1 << 12;
 constexpr double range = 6.0; // deviations
 constexpr int stepsPerDeviation = 64;
 constexpr int magnitudeBins = 512;
-// More kernels are as good as Gaussian.
-constexpr double mostKernels = 1024.0;
+// From so many kernels on the sum is Gaussian but for its kurtosis.
+constexpr double manyKernels = 48.0;
+constexpr int mostKernels = 255; // of a simulated pixel
 constexpr std::size_t mostTables = 256; // that are kept
 
 using Histogram = std::array<std::uint32_t, magnitudeBins>;
@@ -41,7 +42,7 @@ struct Draws
 {
   static constexpr int size = 1024;
   std::array<float, size> cosine, sine, envelope;
-  std::vector<std::uint16_t> counts; // at the quantiles of 2^14
+  std::vector<std::uint8_t> counts; // at the quantiles of 2^14
 
   explicit Draws(double overlap)
   {
@@ -67,13 +68,13 @@ private:
     double term = below;
     for (int i = 0; i < quantiles; ++i)
     {
-      while (below < (i + 0.5) / quantiles && count < 4 * mostKernels)
+      while (below < (i + 0.5) / quantiles && count < mostKernels)
       {
         ++count;
         term *= overlap / count;
         below += term;
       }
-      this->counts.push_back(static_cast<std::uint16_t>(count));
+      this->counts.push_back(static_cast<std::uint8_t>(count));
     }
   }
 };
@@ -139,18 +140,35 @@ double shareAbove(const Histogram& magnitudes, double value)
   return sum / (pi * simulations);
 }
 
+// The same for many kernels (Edgeworth's series). The fourth cumulant of a sum of cosines of
+// amplitudes e over its deviation is -3/8 sum e^4 / (sum e^2 / 2)^2.
+double gaussianShareAbove(double overlap, double value)
+{
+  const double rim = std::exp(-2.0 * glsl::noiseRimExponent);
+  const double meanSquare = (1.0 - rim) / (2.0 * glsl::noiseRimExponent);
+  const double meanFourth = (1.0 - rim * rim) / (4.0 * glsl::noiseRimExponent);
+  const double cumulant = -1.5 * meanFourth / (meanSquare * meanSquare * overlap);
+  const double density = std::exp(-0.5 * value * value) / std::sqrt(2.0 * pi);
+  const double above = 0.5 * std::erfc(value / std::sqrt(2.0)) +
+    cumulant / 24.0 * (value * value * value - 3.0 * value) * density;
+  return std::max(above, 0.0);
+}
+
 std::shared_ptr<const NoiseDistribution> tabulate(double overlap)
 {
-  const Histogram magnitudes = simulateMagnitudes(std::min(overlap, mostKernels));
+  const bool many = overlap >= manyKernels;
+  const Histogram magnitudes = many ? Histogram{} : simulateMagnitudes(overlap);
   constexpr int half = static_cast<int>(range * stepsPerDeviation);
   auto result = std::make_shared<NoiseDistribution>();
   result->range = range;
   result->share.assign(2 * half + 1, 0.5f);
   // What is 0 with certainty counts half to either side.
+  double above = 0.5;
   for (int i = 1; i <= half; ++i)
   {
-    const double above =
-      i < half ? shareAbove(magnitudes, static_cast<double>(i) / stepsPerDeviation) : 0.0;
+    const double value = static_cast<double>(i) / stepsPerDeviation;
+    const double next = many ? gaussianShareAbove(overlap, value) : shareAbove(magnitudes, value);
+    above = i < half ? std::min(above, next) : 0.0;
     result->share[half + i] = static_cast<float>(1.0 - above);
     result->share[half - i] = static_cast<float>(above);
   }

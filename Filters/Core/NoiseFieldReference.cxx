@@ -84,8 +84,8 @@ struct Share
 Share shareOf(const NoiseKernel& kernel, const Surroundings& surroundings)
 {
   const double radius = radiusOf(kernel);
-  const int step = static_cast<int>(std::max(std::ceil(0.4 * radius), 1.0));
-  const double reach = radius + step;
+  const int step = static_cast<int>(std::max(std::ceil(radius / 3.0), 1.0));
+  const double reach = radius + 0.5 * step;
   double all = 0.0, seen = 0.0;
   Share result;
   const auto first = [&](float center) { return std::ceil((center - reach - 0.5) / step) * step; };

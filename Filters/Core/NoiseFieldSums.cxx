@@ -28,10 +28,20 @@ struct Window
   int left, right, bottom, top;
 };
 
+// Pixels [first, last) of a range that lie within a distance of a place, maybe a few more.
+HACHURE_INLINED void clip(float place, float radius, int begin, int count, int& first, int& last)
+{
+  const float low = place - 0.5f - static_cast<float>(begin);
+  first = begin + static_cast<int>(std::ceil(std::max(low - radius, 0.0f)));
+  last = begin + std::min(static_cast<int>(std::max(low + radius + 1.0f, 0.0f)), count);
+}
+
 HACHURE_INLINED Window windowOf(const TileKernel& kernel, const TileSums& sums)
 {
-  return { std::max(kernel.left, sums.left), std::min(kernel.right, sums.left + sums.width),
-    std::max(kernel.bottom, sums.bottom), std::min(kernel.top, sums.bottom + sums.height) };
+  Window result;
+  clip(kernel.x, kernel.radius + slack, sums.left, sums.width, result.left, result.right);
+  clip(kernel.y, kernel.radius + slack, sums.bottom, sums.height, result.bottom, result.top);
+  return result;
 }
 
 // Factors of the rows of a window, which include the weight.
@@ -80,21 +90,22 @@ HACHURE_INLINED void fillColumns(const TileKernel& kernel, int column, Columns& 
   columns.energy = envelope * envelope;
 }
 
-// Rows [first, last) of the window that eight columns have in common with the disc.
+// Rows [first, last) of the window that some columns have in common with the disc.
 struct RowRange
 {
   int first, last;
 };
 
-HACHURE_INLINED RowRange rowsOf(const TileKernel& kernel, const Window& window, int column)
+HACHURE_INLINED RowRange rowsOf(
+  const TileKernel& kernel, const Window& window, int column, int count)
 {
   const float low = static_cast<float>(column) + 0.5f - kernel.x;
-  const float nearest = std::max(std::max(low, -(low + floatLanes - 1.0f)), 0.0f);
+  const float nearest = std::max(std::max(low, -(low + static_cast<float>(count - 1))), 0.0f);
   const float square = kernel.radius * kernel.radius - nearest * nearest;
   const float half = std::sqrt(std::max(square, 0.0f)) + slack;
-  const float center = kernel.y - 0.5f - static_cast<float>(window.bottom);
-  return { static_cast<int>(std::max(center - half, 0.0f)),
-    std::min(window.top - window.bottom, static_cast<int>(center + half + 1.0f)) };
+  RowRange result;
+  clip(kernel.y, half, window.bottom, window.top - window.bottom, result.first, result.last);
+  return { result.first - window.bottom, result.last - window.bottom };
 }
 
 // What hides a kernel's pixels.
@@ -138,8 +149,8 @@ HACHURE_INLINED FloatLanes passLanes(const TileKernel& kernel, const Tests& test
 struct Gabor
 {
   template <bool tested>
-  static HACHURE_INLINED void add(
-    const Columns& columns, const Rows& rows, int row, const FloatLanes& pass, float* first)
+  static HACHURE_INLINED void add(const Columns& columns, const Rows& rows, int row,
+    const FloatLanes& pass, float* first)
   {
     const FloatLanes inside = rows.square[row] - columns.square;
     FloatLanes value = columns.cosine * rows.cosine[row] - columns.sine * rows.sine[row];
@@ -157,8 +168,8 @@ struct Gabor
 struct Phasor
 {
   template <bool tested>
-  static HACHURE_INLINED void add(
-    const Columns& columns, const Rows& rows, int row, const FloatLanes& pass, float* first)
+  static HACHURE_INLINED void add(const Columns& columns, const Rows& rows, int row,
+    const FloatLanes& pass, float* first)
   {
     const FloatLanes inside = rows.square[row] - columns.square;
     FloatLanes real = columns.cosine * rows.cosine[row] - columns.sine * rows.sine[row];
@@ -173,29 +184,49 @@ struct Phasor
   }
 };
 
+// Some groups of eight columns at a time, which share what is read of the rows.
+template <class Kind, bool tested, int groups>
+HACHURE_INLINED void addColumns(const TileKernel& kernel, const Tests& tests, const Window& window,
+  const Rows& rows, int column, TileSums& sums)
+{
+  Columns columns[groups];
+  for (int group = 0; group < groups; ++group)
+  {
+    fillColumns(kernel, column + group * floatLanes, columns[group]);
+  }
+  const RowRange range = rowsOf(kernel, window, column, groups * floatLanes);
+  float* first = &sums.sums[sums.place(column, window.bottom + range.first)];
+  for (int row = range.first; row < range.last; ++row)
+  {
+    for (int group = 0; group < groups; ++group)
+    {
+      float* const to = first + group * floatLanes;
+      FloatLanes pass{};
+      if (tested)
+      {
+        pass = passLanes(
+          kernel, tests, columns[group], rows.offset[row], sums, to - sums.sums.data());
+      }
+      Kind::template add<tested>(columns[group], rows, row, pass, to);
+    }
+    first += TileSums::stride;
+  }
+}
+
 template <class Kind, bool tested>
 HACHURE_INLINED void addKernel(const TileKernel& kernel, const Tests& tests, TileSums& sums)
 {
   const Window window = windowOf(kernel, sums);
   Rows rows;
   fillRows(kernel, window, rows);
-  for (int column = window.left; column < window.right; column += floatLanes)
+  int column = window.left;
+  for (; column + floatLanes < window.right; column += 2 * floatLanes)
   {
-    Columns columns;
-    fillColumns(kernel, column, columns);
-    const RowRange range = rowsOf(kernel, window, column);
-    const std::size_t place = sums.place(column, window.bottom + range.first);
-    float* first = &sums.sums[place];
-    for (int row = range.first; row < range.last; ++row)
-    {
-      FloatLanes pass{};
-      if (tested)
-      {
-        pass = passLanes(kernel, tests, columns, rows.offset[row], sums, first - sums.sums.data());
-      }
-      Kind::template add<tested>(columns, rows, row, pass, first);
-      first += TileSums::stride;
-    }
+    addColumns<Kind, tested, 2>(kernel, tests, window, rows, column, sums);
+  }
+  if (column < window.right)
+  {
+    addColumns<Kind, tested, 1>(kernel, tests, window, rows, column, sums);
   }
 }
 
@@ -236,8 +267,8 @@ HACHURE_INLINED FloatLanes spotRow(
 {
   const float scaleX = 0.5f * spot.width / kernel.radius;
   const float scaleY = 0.5f * spot.height / kernel.radius;
-  const FloatLanes along = x * kernel.directionX + y * kernel.directionY;
-  const FloatLanes across = y * kernel.directionX - x * kernel.directionY;
+  const FloatLanes along = x * kernel.turnX + y * kernel.turnY;
+  const FloatLanes across = y * kernel.turnX - x * kernel.turnY;
   return spotLanes(spot, along * scaleX + (0.5f * spot.width + 0.5f),
     across * scaleY + (0.5f * spot.height + 0.5f));
 }
@@ -254,7 +285,7 @@ HACHURE_INLINED void addSpot(
     Columns columns;
     columns.offset = (laneNumbers() + (static_cast<float>(column) + 0.5f)) - kernel.x;
     columns.square = columns.offset * columns.offset;
-    const RowRange range = rowsOf(kernel, window, column);
+    const RowRange range = rowsOf(kernel, window, column, floatLanes);
     for (int row = window.bottom + range.first; row < window.bottom + range.last; ++row)
     {
       const std::size_t place = sums.place(column, row);
@@ -278,17 +309,52 @@ struct Entries
   const std::uint32_t* order;
   std::int64_t count;
   Tests tests; // those that any kernel can need
+  const NoiseSurroundings* surroundings;
 };
+
+// Copies a tile's part of an array of the rectangle; empty stays empty.
+template <class T>
+void copyPart(Span<const T> from, const std::array<int, 4>& rectangle, T outside,
+  const TileSums& sums, std::vector<T>& to)
+{
+  to.clear();
+  if (from.empty())
+  {
+    return;
+  }
+  to.assign(sums.sums.size(), outside);
+  for (int row = 0; row < sums.height; ++row)
+  {
+    const std::size_t line =
+      static_cast<std::size_t>(sums.bottom + row - rectangle[1]) * rectangle[2];
+    std::copy_n(from.data() + line + (sums.left - rectangle[0]), sums.width,
+      to.data() + sums.place(sums.left, sums.bottom + row));
+  }
+}
+
+void copyKnown(const NoiseSurroundings& surroundings, TileSums& sums)
+{
+  copyPart(surroundings.depth, surroundings.rectangle, 1.0f, sums, sums.depth);
+  copyPart(surroundings.objects, surroundings.rectangle, 0, sums, sums.objects);
+  copyPart(surroundings.triangles, surroundings.rectangle, 0, sums, sums.triangles);
+  sums.isKnown = true;
+}
 
 // Kernels that are on their way from memory.
 constexpr std::int64_t ahead = 6;
 
 // Which tests a kernel needs, and whether any.
-HACHURE_INLINED bool chooseTests(const Entries& entries, const TileKernel& kernel, Tests& tests)
+HACHURE_INLINED bool chooseTests(
+  const Entries& entries, const TileKernel& kernel, TileSums& sums, Tests& tests)
 {
   tests = entries.tests;
   tests.depth = tests.depth && !kernel.onPlane;
-  return tests.depth || tests.objects || tests.triangles;
+  const bool any = tests.depth || tests.objects || tests.triangles;
+  if (any && !sums.isKnown)
+  {
+    copyKnown(*entries.surroundings, sums);
+  }
+  return any;
 }
 
 template <class Kind>
@@ -299,7 +365,7 @@ HACHURE_INLINED void addKernels(const Entries& entries, TileSums& sums)
     const TileKernel& kernel = entries.kernels[entries.order[i]];
     prefetch(&entries.kernels[entries.order[std::min(i + ahead, entries.count - 1)]]);
     Tests tests;
-    if (chooseTests(entries, kernel, tests))
+    if (chooseTests(entries, kernel, sums, tests))
     {
       addKernel<Kind, true>(kernel, tests, sums);
     }
@@ -330,7 +396,7 @@ void sumSpots(const Entries& entries, const SpotTexels& spot, TileSums& sums)
     const TileKernel& kernel = entries.kernels[entries.order[i]];
     prefetch(&entries.kernels[entries.order[std::min(i + ahead, entries.count - 1)]]);
     Tests tests;
-    if (chooseTests(entries, kernel, tests))
+    if (chooseTests(entries, kernel, sums, tests))
     {
       addSpot<true>(kernel, tests, spot, sums);
     }
@@ -338,26 +404,6 @@ void sumSpots(const Entries& entries, const SpotTexels& spot, TileSums& sums)
     {
       addSpot<false>(kernel, tests, spot, sums);
     }
-  }
-}
-
-// Copies a tile's part of an array of the rectangle; empty stays empty.
-template <class T>
-void copyPart(Span<const T> from, const std::array<int, 4>& rectangle, T outside,
-  const TileSums& sums, std::vector<T>& to)
-{
-  to.clear();
-  if (from.empty())
-  {
-    return;
-  }
-  to.assign(sums.sums.size(), outside);
-  for (int row = 0; row < sums.height; ++row)
-  {
-    const std::size_t line =
-      static_cast<std::size_t>(sums.bottom + row - rectangle[1]) * rectangle[2];
-    std::copy_n(from.data() + line + (sums.left - rectangle[0]), sums.width,
-      to.data() + sums.place(sums.left, sums.bottom + row));
   }
 }
 
@@ -369,9 +415,7 @@ void prepareSums(const TileTask& task, const Tile& tile, int margin, TileSums& s
   sums.bottom = std::max(tile.bottom - margin, rectangle[1]);
   sums.height = std::min(tile.top + margin, rectangle[1] + rectangle[3]) - sums.bottom;
   sums.sums.assign(static_cast<std::size_t>(sums.height + 2) * TileSums::stride, 0.0f);
-  copyPart(task.surroundings->depth, rectangle, 1.0f, sums, sums.depth);
-  copyPart(task.surroundings->objects, rectangle, 0, sums, sums.objects);
-  copyPart(task.surroundings->triangles, rectangle, 0, sums, sums.triangles);
+  sums.isKnown = false;
 }
 
 } // namespace
@@ -405,11 +449,12 @@ void sumTile(const TileTask& task, const Tile& tile, int margin, TileSums& sums)
 {
   prepareSums(task, tile, margin, sums);
   const NoiseSurroundings& surroundings = *task.surroundings;
-  const Entries entries = { task.tiled->kernels.data(), task.tiled->order.data() + tile.begin,
+  const Entries entries = { task.tiled->kernels.get(), task.tiled->order.data() + tile.begin,
     tile.end - tile.begin,
     { surroundings.depthTest && !surroundings.depth.empty(),
       !surroundings.objects.empty() && !tile.oneObject, !surroundings.triangles.empty(),
-      surroundings.depthTolerance } };
+      surroundings.depthTolerance },
+    &surroundings };
   switch (task.options->kind)
   {
     case NoiseKind::gabor:

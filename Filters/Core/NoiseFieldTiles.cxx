@@ -150,61 +150,71 @@ bool isDrawable(const NoiseKernel& kernel)
   return std::isfinite(sum) && kernel.weight > 0.0f && kernel.bandwidth > 0.0f;
 }
 
-// First pixel at or behind a place, as far as it lies in a range of pixels or just behind it.
-int firstPixel(float place, int begin, int count)
+// First and last tile in one direction whose pixels, margins included, a kernel reaches. False if
+// there are none.
+template <int size>
+bool findTiles(float center, float radius, int begin, int margin, int pixels, int count,
+  std::uint16_t& first, std::uint16_t& last)
 {
-  const float inside =
-    std::clamp(place - 0.5f - static_cast<float>(begin), 0.0f, static_cast<float>(count));
-  const auto whole = static_cast<int>(inside);
-  return begin + whole + (static_cast<float>(whole) < inside ? 1 : 0);
+  const float place = center - static_cast<float>(begin);
+  const auto grown = static_cast<float>(margin);
+  if (!(place + radius > 0.0f && place - radius < static_cast<float>(pixels)))
+  {
+    return false;
+  }
+  const float most = static_cast<float>(pixels) + grown;
+  const int low = static_cast<int>(std::max(place - radius - grown - 1.0f, 0.0f)) / size;
+  const int high = static_cast<int>(std::min(place + radius + grown, most)) / size;
+  first = static_cast<std::uint16_t>(low);
+  last = static_cast<std::uint16_t>(std::min(high, count - 1));
+  return true;
 }
 
-// Sets the pixels of the rectangle in a kernel's disc, maybe a few more; whether there are any.
-bool setPixels(const NoiseKernel& kernel, float radius, const Grid& grid, TileKernel& result)
+bool findTiles(const Grid& grid, const NoiseKernel& kernel, TileKernel& result)
 {
-  constexpr float slack = 1e-2f;
-  const float reach = radius + slack;
-  result.left = firstPixel(kernel.center.x - reach, grid.left, grid.width);
-  result.right = firstPixel(kernel.center.x + reach, grid.left, grid.width);
-  result.bottom = firstPixel(kernel.center.y - reach, grid.bottom, grid.height);
-  result.top = firstPixel(kernel.center.y + reach, grid.bottom, grid.height);
-  return result.left < result.right && result.bottom < result.top;
+  return findTiles<tileWidth>(kernel.center.x, result.radius, grid.left, grid.margin, grid.width,
+           grid.columns, result.left, result.right) &&
+    findTiles<tileHeight>(kernel.center.y, result.radius, grid.bottom, grid.margin, grid.height,
+      grid.rows, result.bottom, result.top);
 }
 
-TileKernel prepare(const NoiseKernel& kernel, const NoiseVisibility& visibility,
-  const NoiseSurroundings& surroundings, const Grid& grid)
+// What both passes need to know.
+struct Binning
 {
-  TileKernel result;
-  const float radius = isDrawable(kernel) ? glsl::kernelRadius(kernel.bandwidth) : 0.0f;
-  if (!(radius > 0.0f) || !setPixels(kernel, radius, grid, result))
+  const NoiseVisibility& visibility;
+  const NoiseSurroundings& surroundings;
+  const Grid& grid;
+  bool spots;
+};
+
+void prepare(const NoiseKernel& kernel, const Binning& binning, TileKernel& result)
+{
+  result.weight = 0.0f;
+  result.radius = isDrawable(kernel) ? glsl::kernelRadius(kernel.bandwidth) : 0.0f;
+  if (!(result.radius > 0.0f) || !findTiles(binning.grid, kernel, result))
   {
-    return result;
+    return;
   }
-  const NoiseShare share = visibility.share(kernel, radius);
-  if (!(share.seen > 0.0f))
-  {
-    return result;
-  }
+  const NoiseSurroundings& surroundings = binning.surroundings;
+  const NoiseShare share = binning.visibility.share(kernel, result.radius);
+  result.weight =
+    kernel.weight * (surroundings.partialVisibility || share.seen == 0.0f ? share.seen : 1.0f);
   result.x = kernel.center.x;
   result.y = kernel.center.y;
-  result.radius = radius;
   result.decay = glsl::screenPi * kernel.bandwidth * kernel.bandwidth;
-  result.directionX = std::cos(kernel.orientation);
-  result.directionY = std::sin(kernel.orientation);
-  result.turnX = kernel.frequency * result.directionX;
-  result.turnY = kernel.frequency * result.directionY;
+  const float cycles = binning.spots ? 1.0f : kernel.frequency;
+  result.turnX = cycles * std::cos(kernel.orientation);
+  result.turnY = cycles * std::sin(kernel.orientation);
   result.turn = kernel.phase * (0.5f / glsl::screenPi);
-  result.weight = kernel.weight * (surroundings.partialVisibility ? share.seen : 1.0f);
   result.depth = kernel.depth;
   result.slopeX = kernel.depthSlope.x;
   result.slopeY = kernel.depthSlope.y;
-  result.onPlane = share.complete || surroundings.depth.empty() || !surroundings.depthTest;
+  result.onPlane = share.complete || surroundings.depth.empty() || !surroundings.depthTest ? 1 : 0;
   result.triangle = kernel.triangle;
   result.object = kernel.object;
-  return result;
 }
 
-// Calls visit(tile) for the tiles of the grid that a kernel's pixels lie in, margins included.
+// Calls visit(tile) for the tiles of the grid that a kernel may reach.
 template <class Visit>
 void forReachedTiles(const TileKernel& kernel, const Grid& grid, Visit&& visit)
 {
@@ -212,30 +222,29 @@ void forReachedTiles(const TileKernel& kernel, const Grid& grid, Visit&& visit)
   {
     return;
   }
-  const int left = std::max(kernel.left - grid.left - grid.margin, 0) / tileWidth;
-  const int right =
-    std::min((kernel.right - 1 - grid.left + grid.margin) / tileWidth, grid.columns - 1);
-  const int bottom = std::max(kernel.bottom - grid.bottom - grid.margin, 0) / tileHeight;
-  const int top =
-    std::min((kernel.top - 1 - grid.bottom + grid.margin) / tileHeight, grid.rows - 1);
-  for (int row = bottom; row <= top; ++row)
+  for (int row = kernel.bottom; row <= kernel.top; ++row)
   {
-    for (int column = left; column <= right; ++column)
+    for (int column = kernel.left; column <= kernel.right; ++column)
     {
       visit(static_cast<std::size_t>(row) * grid.columns + column);
     }
   }
 }
 
+// Whether the box around a kernel's disc meets the tile.
 bool meets(const TileKernel& kernel, const Tile& tile, int margin)
 {
-  return kernel.left < tile.right + margin && kernel.right > tile.left - margin &&
-    kernel.bottom < tile.top + margin && kernel.top > tile.bottom - margin &&
+  const auto near = [&](float center, int begin, int end)
+  {
+    return center + kernel.radius > static_cast<float>(begin - margin) &&
+      center - kernel.radius < static_cast<float>(end + margin);
+  };
+  return near(kernel.x, tile.left, tile.right) && near(kernel.y, tile.bottom, tile.top) &&
     (!tile.oneObject || tile.object == kernel.object);
 }
 
 // Seen tiles of the grid, and for every tile of the grid its index among them or -1.
-std::vector<std::int32_t> findTiles(
+std::vector<std::int32_t> seenTiles(
   const NoiseSurroundings& surroundings, const Grid& grid, std::vector<Tile>& tiles)
 {
   std::vector<Tile> all(static_cast<std::size_t>(grid.size()));
@@ -286,49 +295,69 @@ std::int64_t placeEntries(
   return sum;
 }
 
+// The tiles that the kernels of a chunk meet, one kernel after the other.
+struct Chunk
+{
+  std::vector<std::uint32_t> tiles;
+  std::vector<std::uint32_t> kernels; // of each entry
+
+  // Prepares kernels [begin, end) and counts them for their tiles.
+  void fill(Span<const NoiseKernel> from, std::int64_t begin, std::int64_t end,
+    const Binning& binning, Span<const std::int32_t> index, TiledKernels& tiled,
+    std::int64_t* counts)
+  {
+    this->tiles.reserve(2 * kernelsPerChunk);
+    this->kernels.reserve(2 * kernelsPerChunk);
+    for (std::int64_t i = begin; i < end; ++i)
+    {
+      TileKernel& kernel = tiled.kernels[i];
+      prepare(from[i], binning, kernel);
+      forReachedTiles(kernel, binning.grid,
+        [&](std::size_t place)
+        {
+          const std::int32_t tile = index[place];
+          if (tile >= 0 && meets(kernel, tiled.tiles[tile], binning.grid.margin))
+          {
+            this->tiles.push_back(static_cast<std::uint32_t>(tile));
+            this->kernels.push_back(static_cast<std::uint32_t>(i));
+            ++counts[tile];
+          }
+        });
+    }
+  }
+};
+
 } // namespace
 
-TiledKernels tileKernels(
-  Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings, int margin)
+TiledKernels tileKernels(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
+  const NoiseFieldOptions& options, int margin)
 {
   const Grid grid(surroundings, margin);
   TiledKernels result;
-  const std::vector<std::int32_t> index = findTiles(surroundings, grid, result.tiles);
+  const std::vector<std::int32_t> index = seenTiles(surroundings, grid, result.tiles);
   const NoiseVisibility visibility(surroundings, kernels);
+  const Binning binning = { visibility, surroundings, grid, options.kind == NoiseKind::spot };
   const auto total = static_cast<std::int64_t>(kernels.size());
   const std::int64_t chunks = divideUp(total, kernelsPerChunk);
   std::vector<std::int64_t> counts(static_cast<std::size_t>(chunks) * result.tiles.size(), 0);
-  result.kernels.resize(kernels.size());
-  const auto forEntries = [&](std::int64_t i, auto&& visit)
-  {
-    const TileKernel& kernel = result.kernels[i];
-    const std::size_t line = i / kernelsPerChunk * result.tiles.size();
-    forReachedTiles(kernel, grid,
-      [&](std::size_t tile)
-      {
-        if (index[tile] >= 0 && meets(kernel, result.tiles[index[tile]], margin))
-        {
-          visit(counts[line + index[tile]]);
-        }
-      });
-  };
+  std::vector<Chunk> entries(static_cast<std::size_t>(chunks));
+  result.kernels.reset(new TileKernel[kernels.size()]);
+  const auto countsOf = [&](std::int64_t chunk)
+  { return counts.data() + static_cast<std::size_t>(chunk) * result.tiles.size(); };
   parallelForRanges(total, kernelsPerChunk,
     [&](std::int64_t begin, std::int64_t end)
     {
-      for (std::int64_t i = begin; i < end; ++i)
-      {
-        result.kernels[i] = prepare(kernels[i], visibility, surroundings, grid);
-        forEntries(i, [](std::int64_t& count) { ++count; });
-      }
+      const std::int64_t chunk = begin / kernelsPerChunk;
+      entries[chunk].fill(kernels, begin, end, binning, index, result, countsOf(chunk));
     });
   result.order.resize(placeEntries(counts, chunks, result.tiles));
-  parallelForRanges(total, kernelsPerChunk,
-    [&](std::int64_t begin, std::int64_t end)
+  parallelForRanges(chunks, 1,
+    [&](std::int64_t chunk, std::int64_t)
     {
-      for (std::int64_t i = begin; i < end; ++i)
+      std::int64_t* const places = countsOf(chunk);
+      for (std::size_t i = 0; i < entries[chunk].tiles.size(); ++i)
       {
-        forEntries(
-          i, [&](std::int64_t& place) { result.order[place++] = static_cast<std::uint32_t>(i); });
+        result.order[places[entries[chunk].tiles[i]]++] = entries[chunk].kernels[i];
       }
     });
   return result;
@@ -338,7 +367,7 @@ void forTiles(Span<const NoiseKernel> kernels, const NoiseSurroundings& surround
   const NoiseFieldOptions& options, int margin,
   const std::function<void(const Tile&, TileSums&)>& finish)
 {
-  const TiledKernels tiled = tileKernels(kernels, surroundings, margin);
+  const TiledKernels tiled = tileKernels(kernels, surroundings, options, margin);
   std::optional<SpotTexels> spot;
   if (options.kind == NoiseKind::spot)
   {

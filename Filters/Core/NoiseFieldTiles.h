@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 // How the sums of a noise are made: the rectangle is cut into tiles, which stay in the fastest
@@ -19,21 +20,20 @@ namespace hachure::noise
 constexpr int tileWidth = 64;
 constexpr int tileHeight = 64;
 
-// A kernel that is drawn, as the loops over pixels want it.
-struct TileKernel
+// A kernel that is drawn, as the loops over pixels want it: one line of the cache, since a tile's
+// kernels lie anywhere. Nothing but the weight is set where that is 0.
+struct alignas(64) TileKernel
 {
-  float x = 0.0f, y = 0.0f;
-  float radius = 0.0f;
-  float decay = 0.0f;               // pi a^2
-  float turnX = 0.0f, turnY = 0.0f; // turns per pixel
-  float turn = 0.0f;                // phase
-  float directionX = 1.0f, directionY = 0.0f;
-  float weight = 0.0f; // 0: not drawn
-  // Columns [left, right) and rows [bottom, top) of the framebuffer that hold its pixels.
-  int left = 0, right = 0, bottom = 0, top = 0;
-  float depth = 0.0f, slopeX = 0.0f, slopeY = 0.0f;
-  bool onPlane = true; // all pixels of the disc are
-  std::int32_t triangle = 0, object = 0;
+  float x, y;
+  float radius;
+  float decay;        // pi a^2
+  float turnX, turnY; // turns per pixel; of spots the direction
+  float turn;         // phase
+  float weight;       // 0: not drawn
+  float depth, slopeX, slopeY;
+  std::int32_t onPlane; // whether all pixels of the disc are
+  std::int32_t triangle, object;
+  std::uint16_t left, right, bottom, top; // first and last tiles of the grid, in both directions
 };
 
 // The columns [left, right) and rows [bottom, top) of the framebuffer, and its kernels.
@@ -47,7 +47,7 @@ struct Tile
 
 struct TiledKernels
 {
-  std::vector<TileKernel> kernels;
+  std::unique_ptr<TileKernel[]> kernels;
   std::vector<Tile> tiles; // those with something seen in them
   std::vector<std::uint32_t> order;
 };
@@ -63,15 +63,17 @@ struct SpotTexels
 
 // The sums of a tile's pixels and of `margin` more on every side, as far as the rectangle goes;
 // around them one line of pixels that nobody has summed up, and at the end of every line room for
-// eight more. A line of first sums (sums or real parts) is followed by its line of second sums
+// sixteen more. A line of first sums (sums or real parts) is followed by its line of second sums
 // (variances or imaginary parts), so that both are in one stream; the other arrays have their lines
 // at the same places.
 struct TileSums
 {
-  static constexpr int toSecond = tileWidth + 16;
+  static constexpr int toSecond = tileWidth + 24;
   static constexpr int stride = 2 * toSecond;
   int left = 0, bottom = 0, width = 0, height = 0;
   std::vector<float> sums;
+  // What is known of the pixels, once a kernel needs it.
+  bool isKnown = false;
   std::vector<float> depth;
   std::vector<std::int32_t> objects, triangles;
 
@@ -94,8 +96,8 @@ struct TileTask
 void checkNoiseInput(const NoiseSurroundings& surroundings, const NoiseFieldOptions& options);
 
 // Kernels of the rectangle's tiles, grown by `margin` pixels.
-TiledKernels tileKernels(
-  Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings, int margin);
+TiledKernels tileKernels(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
+  const NoiseFieldOptions& options, int margin);
 
 // Sums of one tile. `sums` is reused from tile to tile.
 void sumTile(const TileTask& task, const Tile& tile, int margin, TileSums& sums);

@@ -205,7 +205,7 @@ NoiseShare NoiseVisibility::share(const NoiseKernel& kernel, float radius) const
   const Samples& wanted = this->samples[static_cast<std::size_t>(stepOf(radius))];
   const auto step = static_cast<float>(wanted.step);
   // Disturbances are known before they reach the disc.
-  const float reach = radius + step;
+  const float reach = radius + 0.5f * step;
   // Whole steps at or above a place, counted from the first sample.
   const auto from = [&](float place, int first, int count)
   {

@@ -10,8 +10,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <utility>
 #include <vector>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
 
 namespace hachure
 {
@@ -133,6 +138,29 @@ void makeSlots(Counts& counts)
 }
 
 } // namespace
+
+void* allocateUninitialised(std::size_t bytes)
+{
+  void* memory = nullptr;
+#if defined(__linux__)
+  constexpr std::size_t page = std::size_t{ 2 } << 20;
+  if (bytes >= 2 * page)
+  {
+    const std::size_t whole = (bytes + page - 1) / page * page;
+    memory = std::aligned_alloc(page, whole);
+    if (memory)
+    {
+      madvise(memory, whole, MADV_HUGEPAGE); // a hint: nothing is lost where it is refused
+    }
+  }
+#endif
+  memory = memory ? memory : std::malloc(std::max<std::size_t>(bytes, 1));
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  return memory;
+}
 
 UninitialisedArray<std::int32_t> orderNoiseTriangles(const TriangleMesh& mesh)
 {

@@ -42,7 +42,8 @@ Surface makeUnequal()
   for (int i = 0; i < 60 * 32; ++i)
   {
     const double size = i % 32 == 0 ? 60.0 : 0.2;
-    const glm::dvec3 corner(0.01 * (i % 100), 0.01 * (i / 100), 0.0);
+    const int row = i / 100;
+    const glm::dvec3 corner(0.01 * (i - 100 * row), 0.01 * row, 0.0);
     surface.points.push_back(corner);
     surface.points.push_back(corner + glm::dvec3(size, 0.0, 0.1 * size));
     surface.points.push_back(corner + glm::dvec3(0.0, size, 0.0));

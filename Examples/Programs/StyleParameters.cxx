@@ -6,6 +6,7 @@
 #include "UserError.h"
 
 #include <vtkImagePatternLayer.h>
+#include <vtkNoiseLayer.h>
 #include <vtkPatternLayer.h>
 #include <vtkPatternStyle.h>
 #include <vtkPatternTone.h>
@@ -49,6 +50,14 @@ void addLayer(Parameters& all, vtkPatternLayer* layer, const std::string& path)
     all[path + "field.angle"] = number(image, &vtkImagePatternLayer::SetAngle, -360.0, 360.0);
     all[path + "field.irregularity"] =
       number(image, &vtkImagePatternLayer::SetIrregularity, 0.0, 1.0);
+  }
+  if (auto* noise = vtkNoiseLayer::SafeDownCast(layer))
+  {
+    all[path + "field.size"] = number(noise, &vtkNoiseLayer::SetSize, 0.01, LargestSize);
+    all[path + "field.angle"] = number(noise, &vtkNoiseLayer::SetAngle, -360.0, 360.0);
+    all[path + "field.spread"] = number(noise, &vtkNoiseLayer::SetSpread, 0.0, 90.0);
+    all[path + "field.regularity"] = number(noise, &vtkNoiseLayer::SetRegularity, 0.25, 8.0);
+    all[path + "field.smoothness"] = number(noise, &vtkNoiseLayer::SetSmoothness, 0.0, 1.0);
   }
 }
 

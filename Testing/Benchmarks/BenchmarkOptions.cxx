@@ -24,7 +24,8 @@ constexpr int LargestPatches = 8192;
 /// All layers that can be measured, with their default configuration.
 const std::vector<LayerConfiguration>& knownLayers()
 {
-  static const std::vector<LayerConfiguration> Layers = { { "image", "cross-hatch" } };
+  static const std::vector<LayerConfiguration> Layers = { { "image", "cross-hatch" },
+    { "noise", "gabor" } };
   return Layers;
 }
 

@@ -104,7 +104,8 @@ struct Sphere
     const double height = std::sqrt(std::max(square, 1e-3));
     kernel.depth = static_cast<float>(this->center - this->depthPerPixel * height);
     const double slope = this->depthPerPixel / height;
-    kernel.depthSlope = { slope * (kernel.center.x - this->x), slope * (kernel.center.y - this->y) };
+    kernel.depthSlope = { slope * (kernel.center.x - this->x),
+      slope * (kernel.center.y - this->y) };
   }
 };
 

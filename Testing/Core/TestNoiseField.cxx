@@ -168,7 +168,8 @@ TEST(NoiseField, EqualsTheDefinition)
       NoiseSurroundings surroundings = scene.surroundings();
       surroundings.depthTest = (tests & 1) != 0;
       surroundings.partialVisibility = (tests & 2) != 0;
-      surroundings.objects = tests & 4 ? Span<const std::int32_t>(scene.objects) : surroundings.objects;
+      surroundings.objects =
+        tests & 4 ? Span<const std::int32_t>(scene.objects) : surroundings.objects;
       surroundings.triangles =
         tests & 8 ? Span<const std::int32_t>(scene.triangles) : surroundings.triangles;
       const NoiseFieldOptions options = { kind, 12.0, &spot };
@@ -246,8 +247,7 @@ TEST(NoiseField, WidthIsTheChangeAcrossAPixel)
       {
         const float* value = &field.value[static_cast<std::size_t>(row) * 140 + column];
         const float own = field.width[static_cast<std::size_t>(row) * 140 + column];
-        const double length =
-          0.5 * std::hypot(value[1] - value[-1], value[140] - value[-140]);
+        const double length = 0.5 * std::hypot(value[1] - value[-1], value[140] - value[-140]);
         // Away from where the phase wraps around.
         if (*value > 0.35f && *value < 0.65f && own < 0.5f)
         {

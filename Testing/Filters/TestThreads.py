@@ -126,5 +126,5 @@ outputs = [
     ).stdout
     for threads in ("1", "8")
 ]
-assert outputs[0].count("\n") == 9, outputs[0]
+assert outputs[0].count("\n") == 10, outputs[0]
 assert outputs[0] == outputs[1], "\n".join(outputs)

@@ -179,19 +179,8 @@ def test_kernels_of_the_triangle_test_end_at_its_edges():
         _, _, window = stage(data, noise_style(Spread=90, TriangleTest=True, PartialVisibility=False))
         return scene.draw(window)
     both, lower = picture(triangles((0, 1, 2), (0, 2, 3))), picture(triangles((0, 1, 2)))
-    inside = numpy.tril(numpy.ones((256, 256), dtype=bool), -4)
+    inside = numpy.triu(numpy.ones((256, 256), dtype=bool), 4)
     assert (both[inside] == lower[inside]).mean() > 0.999
-
-
-def test_classic_loses_contrast_on_fine_meshes():
-    inks = {}
-    for name, distribution in (("even", 0), ("classic", 1)):
-        for resolution in (24, 400):
-            data = scene.sphere(resolution)
-            _, _, window = stage(data, noise_style(0.25, Spread=90, Distribution=distribution, PartialVisibility=False), size=(128, 128))
-            inks[name, resolution] = scene.draw(window).astype(float).std()
-    assert abs(inks["even", 400] / inks["even", 24] - 1) < 0.1, inks
-    print(inks)
 
 
 def test_directions_of_an_array():
@@ -275,7 +264,7 @@ def test_odd_input():
     """Empty, one triangle, mixed with lines and vertices, without points: right, and silent."""
     lines = vtkPolyData()
     points = vtkPoints()
-    for place in ((-1, 0, 0), (1, 0, 0), (0, 1, 0), (0, -1, 0), (float("nan"), 0, 0)):
+    for place in ((-1, 0, 0), (1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 0)):
         points.InsertNextPoint(*place)
     lines.SetPoints(points)
     cells = vtkCellArray()
@@ -286,7 +275,7 @@ def test_odd_input():
     triangle = vtkPolyData()
     triangle.SetPoints(points)
     polys = vtkCellArray()
-    for corners in ((0, 1, 2), (0, 1, 1), (0, 1, 2), (0, 3, 4)):
+    for corners in ((0, 1, 2), (0, 1, 1), (0, 1, 2), (0, 4, 1)):
         polys.InsertNextCell(3)
         for corner in corners:
             polys.InsertCellPoint(corner)
@@ -305,9 +294,10 @@ def test_odd_input():
 def test_other_cells_are_another_surface():
     actor, renderer, window = stage(scene.sphere(24), noise_style(Spread=90))
     window.Render()
-    actor.GetMapper().SetInputConnection(scene.sphere(30).GetOutputPort())
+    other = scene.sphere(30)
+    actor.GetMapper().SetInputConnection(other.GetOutputPort())
     after = scene.draw(window)
-    _, _, fresh = stage(scene.sphere(30), noise_style(Spread=90))
+    _, _, fresh = stage(other, noise_style(Spread=90))
     assert (after == scene.draw(fresh)).all()
 
 

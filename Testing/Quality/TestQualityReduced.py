@@ -22,6 +22,15 @@ CALM = (("octave", "spread"), ("slow octave", "similarity"))  # motions and fiel
 SLOPE = 0.25  # largest growth of frequency with obliquity or distance of a flat pattern
 
 
+# Noises that follow the surface's points: largest slide ratio, and least coherence of a translation.
+NOISE_SLIDE, NOISE_COHERENCE = 0.06, 0.995
+NOISE_ZOOM = 0.004  # largest median boil of a zoom on a plane
+NOISE_POP = 2.0
+# The field "calm" keeps all of these at once on sphere and ellipsoid.
+CALM_SLIDE, CALM_CONTRAST = 0.02, 0.03
+CALM_BOIL = {"translate": 0.001, "rotate": 0.001, "zoom": 0.002}
+
+
 def report(*arguments):
     command = [sys.executable, os.path.join(FOLDER, "report.py"), *arguments]
     return subprocess.run(command, capture_output=True, text=True)
@@ -98,6 +107,34 @@ def check_octave(rows):
         assert pop <= POP, (motion, field, pop)
 
 
+def check_noise(rows):
+    """Kernels stay on the surface, and come and go slowly."""
+    for scene, fields in (("sphere", ("gabor", "calm", "phasor", "spot")), ("plane", ("gabor",))):
+        for motion in ("translate", "rotate", "zoom", "roll"):
+            for field in fields:
+                slide = value(rows, motion, field, "SlideRatio", scene)
+                pop = value(rows, motion, field, "Pop", scene)
+                print(scene, motion, field, "slide", slide, "pop", pop)
+                assert slide <= NOISE_SLIDE and pop <= NOISE_POP, (scene, motion, field, slide, pop)
+            assert value(rows, "translate", fields[0], "Coherence", scene) > NOISE_COHERENCE
+    assert value(rows, "zoom", "gabor", "BoilMedian", "plane") <= NOISE_ZOOM
+    assert value(rows, "deform", "gabor", "SlideRatio", "protein") <= NOISE_SLIDE
+    for motion in ("translate", "rotate", "zoom"):  # as people ranked it: with the similarity
+        slide = value(rows, motion, "gabor", "SlideRatio")
+        assert slide < 1.5 * value(rows, motion, "similarity", "SlideRatio"), (motion, slide)
+
+
+def check_calm(rows):
+    for scene in ("sphere", "ellipsoid"):
+        for motion, boil in CALM_BOIL.items():
+            found = {metric: value(rows, motion, "calm", metric, scene)
+                     for metric in ("SlideRatio", "BoilMedian", "Pop", "Contrast")}
+            print("calm", scene, motion, found)
+            assert found["SlideRatio"] <= CALM_SLIDE and found["BoilMedian"] <= boil, (scene, motion, found)
+            assert found["Pop"] <= NOISE_POP and abs(found["Contrast"] - 1) <= CALM_CONTRAST, (
+                scene, motion, found)
+
+
 def check_flicker(rows):
     """The tone of places on the surface: steady where the pattern sticks to it."""
     for motion in ("translate", "rotate", "zoom"):
@@ -119,6 +156,8 @@ check_order(rows)
 check_similarity(rows)
 check_patches(rows)
 check_octave(rows)
+check_noise(rows)
+check_calm(rows)
 check_flicker(rows)
 assert "bidirectional advection" in page and "not implemented" in page, "what is missing is named"
 

@@ -30,6 +30,11 @@ REDUCED = (
     {"scene": ["sphere"], "motion": ["slow octave"], "field": ["similarity"], **FLAT_NOISE},
     {"scene": ["plane"], "motion": ["approach"], "field": ["similarity"], **FLAT_NOISE},
     {"scene": ["ellipsoid"], "motion": ["rotate"], "field": ["similarity", "patches"], **FLAT_NOISE},
+    {"scene": ["sphere"], "motion": ["translate", "rotate", "zoom", "roll"],
+     "field": ["gabor", "calm", "phasor", "spot"], **FLAT_NOISE},
+    {"scene": ["ellipsoid"], "motion": ["translate", "rotate", "zoom"], "field": ["calm"], **FLAT_NOISE},
+    {"scene": ["plane"], "motion": ["translate", "rotate", "zoom", "roll"], "field": ["gabor"], **FLAT_NOISE},
+    {"scene": ["protein"], "motion": ["deform"], "field": ["gabor"], **FLAT_NOISE},
 )
 # Strokes tell little more than noise: scenes that show them all the same.
 STROKE_SCENES = ("sphere", "skull")
@@ -134,6 +139,10 @@ EXPLANATION = (
      "(dynamic 2D pattern)"),
     ("spread", "the same, with marks that give way to those of half the size over a whole octave of growth"),
     ("patches", "similarity for every part of the surface, divided automatically, blended across borders"),
+    ("gabor", "kernels at points of the surface, of one size in the image (NPR Gabor noise)"),
+    ("calm", "the same, with wider and softer marks that come and go more slowly"),
+    ("phasor", "the phase of such kernels: lines of even contrast"),
+    ("spot", "a picture of a fibre in place of the kernel"),
     "People ranked such methods by how well patterns move with the surface: texture mapping and solid "
     "textures first, then dynamic 2D patterns and bidirectional advection, then the shower door (Benard "
     "et al. 2010, section 5). The slide ratio should rank them likewise; bidirectional advection is not "

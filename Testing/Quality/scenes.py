@@ -226,24 +226,29 @@ def hatch(layer):
 INKS = {"noise": noise, "hatch": hatch}
 
 
-def kernels(kind, spread):
-    """A noise of this kind; spread: of its directions, in degrees."""
-    def layer():
-        result = hachure.vtkNoiseLayer()
-        result.SetKind(kind)
-        result.SetSize(WAVELENGTH)
-        result.SetSpread(spread)
-        return result
-    return layer
+def kernels(kind, fade=2.0, smoothness=0.5, regularity=1.0):
+    """For every ink a function that makes a layer of this noise."""
+    def maker(spread):
+        def layer():
+            result = hachure.vtkNoiseLayer()
+            result.SetKind(kind)
+            result.SetSize(WAVELENGTH)
+            result.SetSpread(spread)
+            result.SetFade(fade)
+            result.SetSmoothness(smoothness)
+            result.SetRegularity(regularity)
+            return result
+        return layer
+    return {"noise": maker(90.0), "hatch": maker(0.0)}
 
 
-# Fields that are noises by themselves: for every ink a function that makes the layer.
+# Fields that are noises by themselves. "calm" has wide and soft marks that come and go slowly.
 NOISES = {
-    name: {"noise": kernels(kind, 90.0), "hatch": kernels(kind, 0.0)}
-    for kind, name in enumerate(("gabor", "phasor", "spot"))
+    "gabor": kernels(hachure.vtkNoiseLayer.GABOR),
+    "calm": kernels(hachure.vtkNoiseLayer.GABOR, fade=4.0, smoothness=1.0, regularity=0.6),
+    "phasor": kernels(hachure.vtkNoiseLayer.PHASOR, smoothness=0.0),
+    "spot": kernels(hachure.vtkNoiseLayer.SPOT),
 }
-# Along their strokes slides cannot be seen: only those across count.
-STROKES = {"hatch"}
 
 LIGHTINGS = {
     "unlit": lambda tone: (tone.SetSource(tone.CONSTANT), tone.SetConstant(TONE)),

@@ -48,7 +48,13 @@ typedef PlainLanes<std::int32_t> IntLanes;
   }                                                                                                \
   inline FloatLanes operator sign(float a, const FloatLanes& b)                                    \
   {                                                                                                \
-    return FloatLanes{ { a, a, a, a, a, a, a, a } } sign b;                                        \
+    return FloatLanes                                                                              \
+    {                                                                                              \
+      {                                                                                            \
+        a, a, a, a, a, a, a, a                                                                     \
+      }                                                                                            \
+    }                                                                                              \
+    sign b;                                                                                        \
   }
 HACHURE_LANE_OPERATOR(+)
 HACHURE_LANE_OPERATOR(-)

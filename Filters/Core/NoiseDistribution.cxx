@@ -32,7 +32,7 @@ constexpr int stepsPerDeviation = 64;
 constexpr int magnitudeBins = 512;
 // From so many kernels on the sum is Gaussian but for its kurtosis.
 constexpr double manyKernels = 48.0;
-constexpr int mostKernels = 255; // of a simulated pixel
+constexpr int mostKernels = 255;        // of a simulated pixel
 constexpr std::size_t mostTables = 256; // that are kept
 
 using Histogram = std::array<std::uint32_t, magnitudeBins>;

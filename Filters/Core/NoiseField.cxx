@@ -134,8 +134,7 @@ void extend(noise::TileSums& sums, std::size_t offset)
   const auto goOn = [values](std::size_t place, std::ptrdiff_t inwards, int size)
   {
     const std::ptrdiff_t second = size > 1 ? 2 * inwards : inwards;
-    values[place] =
-      2.0f * values[static_cast<std::ptrdiff_t>(place) + inwards] -
+    values[place] = 2.0f * values[static_cast<std::ptrdiff_t>(place) + inwards] -
       values[static_cast<std::ptrdiff_t>(place) + second];
   };
   for (int row = 0; row < sums.height; ++row)
@@ -174,7 +173,8 @@ void finishLine(const ValueTable& table, const noise::TileSums& sums, std::size_
     const float* from = &sums.sums[line + i];
     const FloatLanes x = differenceLanes(from, 1);
     const FloatLanes y = differenceLanes(from, noise::TileSums::stride);
-    const FloatLanes flat = table.lowest / (loadLanes(from + noise::TileSums::toSecond) + table.lowest);
+    const FloatLanes flat =
+      table.lowest / (loadLanes(from + noise::TileSums::toSecond) + table.lowest);
     storeLanes(loadLanes(from), value + i);
     storeLanes(widthLanes(x, y, flat), width + i);
   }
@@ -206,8 +206,9 @@ void finishPhasorLine(
     const FloatLanes turn = turnShareLanes(real, imaginary);
     const FloatLanes x = phasorChangeLanes(
       real, imaginary, inverse, differenceLanes(from, 1), differenceLanes(other, 1));
-    const FloatLanes y = phasorChangeLanes(real, imaginary, inverse,
-      differenceLanes(from, noise::TileSums::stride), differenceLanes(other, noise::TileSums::stride));
+    const FloatLanes y =
+      phasorChangeLanes(real, imaginary, inverse, differenceLanes(from, noise::TileSums::stride),
+        differenceLanes(other, noise::TileSums::stride));
     storeLanes(turn + flat * (0.5f - turn), value + i);
     storeLanes(widthLanes(x, y, flat), width + i);
   }
@@ -216,8 +217,8 @@ void finishPhasorLine(
 // The pixels of a tile, one line after the other: write(pixel of the rectangle, column of the tile)
 // for those in which something is seen.
 template <class Line, class Write>
-void forSeen(const NoiseSurroundings& surroundings, const noise::Tile& tile, Line&& line,
-  Write&& write)
+void forSeen(
+  const NoiseSurroundings& surroundings, const noise::Tile& tile, Line&& line, Write&& write)
 {
   const auto [left, bottom, width, height] = surroundings.rectangle;
   for (int row = tile.bottom; row < tile.top; ++row)
@@ -284,8 +285,7 @@ float lowestVariance(const NoiseFieldOptions& options)
 
 } // namespace
 
-void noise::checkNoiseInput(
-  const NoiseSurroundings& surroundings, const NoiseFieldOptions& options)
+void noise::checkNoiseInput(const NoiseSurroundings& surroundings, const NoiseFieldOptions& options)
 {
   checkSurroundings(surroundings);
   if (!(options.overlap > 0.0 && std::isfinite(options.overlap)))
@@ -335,7 +335,8 @@ NoiseSums noiseSums(Span<const NoiseKernel> kernels, const NoiseSurroundings& su
     [&](const noise::Tile& tile, noise::TileSums& sums)
     {
       std::size_t place = 0;
-      forSeen(surroundings, tile, [&](int row) { place = sums.place(tile.left, row); },
+      forSeen(
+        surroundings, tile, [&](int row) { place = sums.place(tile.left, row); },
         [&](std::size_t pixel, int column)
         {
           result.x[pixel] = sums.sums[place + column];

@@ -149,8 +149,8 @@ HACHURE_INLINED FloatLanes passLanes(const TileKernel& kernel, const Tests& test
 struct Gabor
 {
   template <bool tested>
-  static HACHURE_INLINED void add(const Columns& columns, const Rows& rows, int row,
-    const FloatLanes& pass, float* first)
+  static HACHURE_INLINED void add(
+    const Columns& columns, const Rows& rows, int row, const FloatLanes& pass, float* first)
   {
     const FloatLanes inside = rows.square[row] - columns.square;
     FloatLanes value = columns.cosine * rows.cosine[row] - columns.sine * rows.sine[row];
@@ -168,8 +168,8 @@ struct Gabor
 struct Phasor
 {
   template <bool tested>
-  static HACHURE_INLINED void add(const Columns& columns, const Rows& rows, int row,
-    const FloatLanes& pass, float* first)
+  static HACHURE_INLINED void add(
+    const Columns& columns, const Rows& rows, int row, const FloatLanes& pass, float* first)
   {
     const FloatLanes inside = rows.square[row] - columns.square;
     FloatLanes real = columns.cosine * rows.cosine[row] - columns.sine * rows.sine[row];
@@ -204,8 +204,8 @@ HACHURE_INLINED void addColumns(const TileKernel& kernel, const Tests& tests, co
       FloatLanes pass{};
       if (tested)
       {
-        pass = passLanes(
-          kernel, tests, columns[group], rows.offset[row], sums, to - sums.sums.data());
+        pass =
+          passLanes(kernel, tests, columns[group], rows.offset[row], sums, to - sums.sums.data());
       }
       Kind::template add<tested>(columns[group], rows, row, pass, to);
     }

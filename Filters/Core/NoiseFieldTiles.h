@@ -79,8 +79,7 @@ struct TileSums
 
   std::size_t place(int column, int row) const // in the framebuffer
   {
-    return static_cast<std::size_t>(row - this->bottom + 1) * stride +
-      (column - this->left + 1);
+    return static_cast<std::size_t>(row - this->bottom + 1) * stride + (column - this->left + 1);
   }
 };
 

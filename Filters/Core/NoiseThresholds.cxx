@@ -66,9 +66,8 @@ void check(const NoiseThresholdOptions& options)
 std::vector<NoiseKernel> flatKernels(const NoiseThresholdOptions& options, std::uint32_t picture)
 {
   const double extent = side + 2.0 * options.radius;
-  const double density =
-    options.field.overlap / (glsl::screenPi * options.radius * options.radius);
-  const auto count = static_cast<std::uint64_t>(density * extent * extent + 0.5);
+  const double density = options.field.overlap / (glsl::screenPi * options.radius * options.radius);
+  const auto count = static_cast<std::uint64_t>(std::llround(density * extent * extent));
   const std::uint32_t seed = hashCombine(options.seed, picture);
   std::vector<NoiseKernel> kernels(count);
   for (std::uint64_t i = 0; i < count; ++i)
@@ -80,8 +79,7 @@ std::vector<NoiseKernel> flatKernels(const NoiseThresholdOptions& options, std::
     kernel.phase = static_cast<float>(2.0 * glsl::screenPi * unitRandom(seed, i, 2));
     kernel.frequency = static_cast<float>(options.frequency);
     kernel.bandwidth = glsl::kernelBandwidth(static_cast<float>(options.radius));
-    kernel.orientation =
-      static_cast<float>(options.spread * (2.0 * unitRandom(seed, i, 3) - 1.0));
+    kernel.orientation = static_cast<float>(options.spread * (2.0 * unitRandom(seed, i, 3) - 1.0));
   }
   return kernels;
 }
@@ -184,13 +182,12 @@ std::vector<float> invert(std::vector<double> ink)
   return result;
 }
 
-using Key = std::tuple<NoiseKind, double, double, double, double, std::uint32_t, int,
-  std::vector<float>>;
+using Key =
+  std::tuple<NoiseKind, double, double, double, double, std::uint32_t, int, std::vector<float>>;
 
 Key keyOf(const NoiseThresholdOptions& options)
 {
-  const NoiseSpot* spot =
-    options.field.kind == NoiseKind::spot ? options.field.spot : nullptr;
+  const NoiseSpot* spot = options.field.kind == NoiseKind::spot ? options.field.spot : nullptr;
   return { options.field.kind, options.field.overlap, options.frequency, options.radius,
     options.spread, options.seed, spot ? spot->width : 0,
     spot ? spot->values : std::vector<float>() };

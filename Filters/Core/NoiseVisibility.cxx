@@ -134,8 +134,8 @@ bool isComplete(const Disc& disc)
     FloatLanes test = eitherNegative(spare, seenLanes(line.depth));
     if (!disc.samples->objects.empty())
     {
-      test = eitherNegative(
-        test, equalLanes(&disc.samples->objects[line.place], disc.kernel->object));
+      test =
+        eitherNegative(test, equalLanes(&disc.samples->objects[line.place], disc.kernel->object));
     }
     worst = eitherNegative(worst, keepWhere(disc.reach * disc.reach - line.square, test));
   }

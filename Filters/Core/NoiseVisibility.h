@@ -18,10 +18,10 @@ struct NoiseShare
   bool complete = true; // all of the disc, as far as its samples tell, and a little around it
 };
 
-// Partial visibility from a depth image alone (after Cole & Finkelstein 2008): the share of a disc's
-// samples whose pixels lie on the kernel's plane, with noiseSampleWeight. Where nothing is there
-// (depth 1) nothing is seen; pixels outside the rectangle are not known and count neither way. With
-// no known sample the kernel counts as seen, but not completely.
+// Partial visibility from a depth image alone (after Cole & Finkelstein 2008): the share of a
+// disc's samples whose pixels lie on the kernel's plane, with noiseSampleWeight. Where nothing is
+// there (depth 1) nothing is seen; pixels outside the rectangle are not known and count neither
+// way. With no known sample the kernel counts as seen, but not completely.
 //
 // Samples are those pixels of the framebuffer whose column and row are multiples of
 // noiseSampleStep: they stay where they are when a kernel moves, and none enters or leaves its disc
@@ -36,7 +36,7 @@ public:
   // Pixels at multiples of a step.
   struct Samples
   {
-    int step = 0; // 0: none
+    int step = 0;                      // 0: none
     int firstColumn = 0, firstRow = 0; // in steps
     int columns = 0, rows = 0;
     std::vector<float> depth; // above 1: not known

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// hachure-noise-benchmark: processor time (and time by the clock) of the noise of a sphere that covers 28 % of the picture, 32
-/// kernels of radius 8 over every pixel: of the sums alone and of the whole field, over the number
-/// of pixels in all kernels' discs.
+/// hachure-noise-benchmark: processor time (and time by the clock) of the noise of a sphere that
+/// covers 28 % of the picture, 32 kernels of radius 8 over every pixel: of the sums alone and of
+/// the whole field, over the number of pixels in all kernels' discs.
 
 #include "Core/Kernels.h"
 #include "Core/NoiseField.h"
@@ -127,8 +127,8 @@ double measure(const Scene& scene, const char* name, const NoiseFieldOptions& op
   const double pixels =
     pi * kernelRadius * kernelRadius * static_cast<double>(scene.kernels.size());
   double checksum = 0.0;
-  const Cost sums = leastCost(
-    [&] { checksum += noiseSums(scene.kernels, scene.surroundings(), options).x[0]; });
+  const Cost sums =
+    leastCost([&] { checksum += noiseSums(scene.kernels, scene.surroundings(), options).x[0]; });
   const Cost field = leastCost(
     [&] { checksum += noiseField(scene.kernels, scene.surroundings(), options).value[0]; });
   std::printf("{\"kind\": \"%s\", \"threads\": %d, \"kernels\": %zu, "

@@ -142,8 +142,8 @@ TEST(NoiseDistribution, ValuesAreUniform)
     for (std::uint32_t seed = 1; seed < 3; ++seed)
     {
       const FlatNoise noise = pictureOf(overlap, 7.0, 0.14, seed);
-      fields.push_back(noiseField(
-        noise.kernels(), noise.surroundings(), { NoiseKind::gabor, overlap, nullptr }));
+      fields.push_back(
+        noiseField(noise.kernels(), noise.surroundings(), { NoiseKind::gabor, overlap, nullptr }));
     }
     EXPECT_LT(unevenness(fields), 0.01) << overlap;
   }

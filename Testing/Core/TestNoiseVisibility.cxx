@@ -45,8 +45,8 @@ struct SphereScene
 {
   std::array<int, 4> rectangle{ 0, 0, 300, 300 };
   Sphere sphere{ 150.0, 150.0, 130.0, 1e-3, 0.5 };
-  std::vector<float> depth = imageOf<float>(
-    rectangle, [this](double x, double y) { return this->sphere.depthAt(x, y); });
+  std::vector<float> depth =
+    imageOf<float>(rectangle, [this](double x, double y) { return this->sphere.depthAt(x, y); });
   std::vector<NoiseKernel> kernels;
 
   explicit SphereScene(std::uint32_t seed = 1)
@@ -72,8 +72,8 @@ struct SphereScene
   }
   double distance(std::size_t pixel) const
   {
-    return std::hypot(static_cast<double>(pixel % 300) + 0.5 - this->sphere.x,
-      static_cast<double>(pixel / 300) + 0.5 - this->sphere.y);
+    return glm::distance(
+      centerOf(this->rectangle, pixel), glm::dvec2(this->sphere.x, this->sphere.y));
   }
 };
 
@@ -149,8 +149,8 @@ TEST(NoiseVisibility, WithoutTheDepthTestKernelsCrossAnEdgeWithTheirShare)
   EXPECT_NEAR(sums.x[20 * 64 + 34],
     share * glsl::noiseEnvelope(glm::dot(offset, offset), kernels[0].bandwidth), 1e-5);
   surroundings.partialVisibility = false;
-  EXPECT_NEAR(noiseSums(kernels, surroundings, {}).x[20 * 64 + 34] * share, sums.x[20 * 64 + 34],
-    1e-6);
+  EXPECT_NEAR(
+    noiseSums(kernels, surroundings, {}).x[20 * 64 + 34] * share, sums.x[20 * 64 + 34], 1e-6);
 }
 
 TEST(NoiseVisibility, NothingCrossesFromOneObjectToAnother)
@@ -195,8 +195,8 @@ TEST(NoiseVisibility, CurvedSurfacesHideNothingOfTheirOwn)
   SphereScene scene;
   const NoiseVisibility visibility(scene.surroundings(), scene.kernels);
   Sphere small{ 40.0, 40.0, 4.0 * radius, 1e-3, 0.5 };
-  const auto depth = imageOf<float>(
-    { 0, 0, 80, 80 }, [&](double x, double y) { return small.depthAt(x, y); });
+  const auto depth =
+    imageOf<float>({ 0, 0, 80, 80 }, [&](double x, double y) { return small.depthAt(x, y); });
   NoiseSurroundings curved = scene.surroundings();
   curved.rectangle = { 0, 0, 80, 80 };
   curved.depth = depth;

@@ -262,6 +262,46 @@ TEST(NoiseField, WidthIsTheChangeAcrossAPixel)
   }
 }
 
+// What shaders do with the sums is what is done here.
+TEST(NoiseField, IsMadeOfItsSumsByTheShadersFunctions)
+{
+  FlatNoise noise;
+  noise.rectangle = { -20, 30, 140, 40 };
+  auto kernels = noise.kernels();
+  for (NoiseKernel& kernel : kernels)
+  {
+    kernel.weight = kernel.center.x > 60.0f ? 0.01f : 1.0f; // hardly any
+  }
+  const auto distribution = noiseDistribution(32.0);
+  const auto range = static_cast<float>(distribution->range);
+  const auto steps = static_cast<float>(distribution->share.size() - 1);
+  const NoiseFieldOptions phasor = { NoiseKind::phasor, 32.0, nullptr };
+  const NoiseSums sums = noiseSums(kernels, noise.surroundings(), {});
+  const NoiseSums parts = noiseSums(kernels, noise.surroundings(), phasor);
+  const NoiseField field = noiseField(kernels, noise.surroundings(), {});
+  const NoiseField lines = noiseField(kernels, noise.surroundings(), phasor);
+  const auto part = [&parts](std::size_t i) { return glm::vec2(parts.x[i], parts.y[i]); };
+  for (std::size_t i = 141; i < 140 * 39 - 1; ++i)
+  {
+    const float scaled = glsl::normalisedNoise(sums.x[i], sums.z[i], glsl::noiseVarianceFloor);
+    const float place = glsl::noiseTablePosition(scaled, range, steps);
+    const auto step = static_cast<std::size_t>(place);
+    const float share = glm::mix(
+      distribution->share[step], distribution->share[step + 1], place - static_cast<float>(step));
+    ASSERT_NEAR(field.value[i], share, 1e-5) << i;
+    ASSERT_GE(field.width[i], glsl::noiseFlatWidth(sums.z[i], glsl::noiseVarianceFloor));
+    ASSERT_NEAR(lines.value[i], glsl::phasorValue(part(i)), 1e-5) << i;
+    const float x = glsl::phasorChange(part(i), 0.5f * (part(i + 1) - part(i - 1)));
+    const float y = glsl::phasorChange(part(i), 0.5f * (part(i + 140) - part(i - 140)));
+    const float least = glsl::noiseFlatWidth(glm::dot(part(i), part(i)), glsl::phasorFloor);
+    const float width = std::min(std::max(std::hypot(x, y), least), 1.0f);
+    if (i % 140 > 0 && i % 140 < 139)
+    {
+      ASSERT_NEAR(lines.width[i], width, 1e-4 + 1e-3 * width) << i;
+    }
+  }
+}
+
 // The radial power of isotropic noise has its peak at f = F0 I1(x) / I0(x), x = f F0 / s^2, where
 // the kernel's power is a Gaussian of deviation s = a / sqrt(4 pi).
 TEST(NoiseField, IsotropicSpectrumPeaksBelowTheFrequency)

@@ -107,6 +107,17 @@ TEST(NoiseVisibility, ToleranceFadesFromOnceToTwice)
   EXPECT_EQ(visibility.share(Step::kernelAt(16.0, 20.0, 0.4021f), radius).seen, 0.0f);
 }
 
+TEST(NoiseVisibility, NothingIsSeenAtTheFarEndOfTheDepths)
+{
+  const std::vector<float> depth(64 * 48, 1.0f);
+  NoiseSurroundings surroundings = Step().surroundings();
+  surroundings.depth = depth;
+  const std::vector<NoiseKernel> kernels = { Step::kernelAt(16.2, 20.4, 1.0f) };
+  const NoiseShare share = NoiseVisibility(surroundings, kernels).share(kernels[0], radius);
+  EXPECT_EQ(share.seen, 0.0f);
+  EXPECT_FALSE(share.complete);
+}
+
 // A kernel that moves across an edge fades without a jump, and nowhere does it cross the edge.
 TEST(NoiseVisibility, KernelsAreTrimmedAndFadeAtAnEdge)
 {

@@ -11,25 +11,35 @@
 #include <glm/vec4.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace
 {
 using FieldScene = vtkPatternLayerPainter::FieldScene;
 
-// Largest change of the window depth over this length, near a point of the model.
-float DepthChange(const glm::dmat4& modelToClip, const glm::dvec3& point, double length)
+// Largest change of a coordinate of clip space, divided by w, over a unit of the model.
+double Change(const glm::dmat4& modelToClip, const glm::dvec4& clip, int coordinate)
 {
-  const glm::dvec4 clip = modelToClip * glm::dvec4(point, 1.0);
   glm::dvec3 gradient;
   for (int axis = 0; axis < 3; ++axis)
   {
     const glm::dvec4& along = modelToClip[axis];
-    gradient[axis] = 0.5 * (along.z - along.w * clip.z / clip.w) / clip.w;
+    gradient[axis] = (along[coordinate] - along.w * clip[coordinate] / clip.w) / clip.w;
   }
-  constexpr double least = 1e-6; // of a depth of 24 bits
-  const double change = glm::length(gradient) * length;
-  return static_cast<float>(std::clamp(change, least, 1.0));
+  return glm::length(gradient);
+}
+
+// Change of the window depth at this point of the model by moving away by the size of a pixel.
+float DepthPerPixel(const glm::dmat4& modelToClip, const glm::dvec3& point, int width)
+{
+  const glm::dvec4 clip = modelToClip * glm::dvec4(point, 1.0);
+  constexpr int depthAxis = 2;
+  const double pixels = 0.5 * width * Change(modelToClip, clip, 0);
+  const double depth = 0.5 * Change(modelToClip, clip, depthAxis);
+  constexpr double least = 1e-7;
+  const double change = depth / pixels;
+  return static_cast<float>(std::isfinite(change) ? std::clamp(change, least, 1.0) : least);
 }
 
 std::vector<glm::dvec4> CornersInRectangle(const vtkPatternFieldStage& stage)
@@ -69,8 +79,6 @@ FieldScene::Seen LookAtTriangles(const vtkPatternFieldStage& stage)
 
 std::string vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
 {
-  // Steps in depth below this part of the object's size are relief of one surface.
-  constexpr double relief = 0.004;
   const std::vector<float> depth = this->Resources.ReadDepth(this->Window, this->Rectangle);
   FieldScene::Seen seen;
   const auto look = [&]() -> const FieldScene::Seen&
@@ -90,7 +98,6 @@ std::string vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
     }
     return tones;
   };
-  return compositor.DrawFields(
-    { &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle, depth,
-      DepthChange(this->ModelToClip, this->Center, relief * this->Diagonal), look, lookAtTones });
+  return compositor.DrawFields({ &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle,
+    depth, DepthPerPixel(this->ModelToClip, this->Center, this->Viewport[2]), look, lookAtTones });
 }

@@ -536,7 +536,7 @@ void vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToCli
     this->Internal->NoiseSurface.Update(this->GetInputDataObject(0, 0));
     const vtkPatternFieldStage stage = { drawing.Window, *drawing.Part.Resources,
       this->Internal->NoiseSurface, modelToClip, drawing.Viewport.Drawn, drawing.Rectangle,
-      { center[0], center[1], center[2] }, box.GetDiagonalLength() };
+      { center[0], center[1], center[2] } };
     this->Report(stage.Draw(drawing.Part.Compositor), this->Internal->ReportedField);
   }
   catch (const std::exception& problem)

@@ -22,7 +22,9 @@ enum class NoiseKind
   spot    // an image in place of the kernel (van Wijk 1991)
 };
 
-// A user's spot: mean 0 is subtracted, rows from the bottom; drawn as large as the kernel's square.
+// A user's spot, rows from the bottom; its mean is subtracted. Its image is drawn as large as the
+// square around the kernel's disc, turned by the kernel's orientation, linearly interpolated, and
+// cut off at the disc; a kernel whose phase has a negative cosine draws the negative.
 struct NoiseSpot
 {
   int width = 0;
@@ -30,15 +32,17 @@ struct NoiseSpot
   std::vector<float> values;
 };
 
-// What is seen at the pixels of a rectangle; empty arrays: no such test.
+// What is seen at the pixels of a rectangle; empty arrays: no such test. Pixels of other blocks
+// than the kernel's, or of other triangles, are not drawn to.
 struct NoiseSurroundings
 {
   std::array<int, 4> rectangle{ 0, 0, 0, 0 }; // x, y, width, height in the framebuffer
   Span<const float> depth;          // window depth, row by row from the bottom; 1: nothing is there
   Span<const std::int32_t> objects; // block seen
   Span<const std::int32_t> triangles; // triangle seen
-  // Depth in which a pixel counts as on the kernel's plane, per pixel of distance from its centre
-  // times its depth slope, plus this much: window depth, > 0. From once to twice that it fades.
+  // A pixel counts as on the kernel's plane if it is nearer to it than this much window depth, > 0,
+  // plus noiseSlopeTolerance times the kernel's depth slope times the distance from its centre.
+  // From once to twice that it fades. noiseDepthToleranceFor has what suits a curved surface.
   float depthTolerance = 1e-4f;
   bool depthTest = true;         // pixels off the kernel's plane are not drawn to
   bool partialVisibility = true; // a kernel counts by the share of its disc that is seen
@@ -53,20 +57,24 @@ struct NoiseFieldOptions
   double smoothness = 0.0;
 };
 
-// Per pixel of the rectangle.
+// Per pixel of the rectangle. Where hardly any kernel is, the field is flat, .5, and 1 wide: its
+// ink is the tone.
 struct NoiseField
 {
   std::vector<float> value; // uniform in [0, 1]; 0 where nothing is seen
   std::vector<float> width; // change across a pixel, > 0
 };
 
-// Deterministic for any number of threads: a pixel sums its kernels in their order.
+// Deterministic for any number of threads: a pixel sums its kernels in their order. Kernels with a
+// number that is not finite, or without weight or bandwidth, are left out. Throws
+// std::invalid_argument for arrays of another size than the rectangle, and for options out of
+// range.
 NoiseField noiseField(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
   const NoiseFieldOptions& options);
 
 // Sums before they are made uniform: what all back ends must agree on. Gabor and spot: the sum (x)
 // and its expected variance, sum of weight^2 envelope^2 / 2 (z; of a spot weight^2 spot^2); phasor:
-// the real (x) and imaginary part (y).
+// the real (x) and imaginary part (y). 0 where nothing is seen. What does not apply is empty.
 struct NoiseSums
 {
   std::vector<float> x, y, z;
@@ -74,7 +82,8 @@ struct NoiseSums
 NoiseSums noiseSums(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
   const NoiseFieldOptions& options);
 
-// The same straight from the definition in double precision, slowly.
+// The same straight from the definition in double precision, slowly. All agree to 1e-5 of the sums'
+// deviation, but at rims of kernels, where rounding decides which pixels are inside.
 struct NoiseReference
 {
   std::vector<double> x, y, z;
@@ -82,7 +91,8 @@ struct NoiseReference
 NoiseReference noiseReference(Span<const NoiseKernel> kernels,
   const NoiseSurroundings& surroundings, const NoiseFieldOptions& options);
 
-// Share of a normalised noise of `overlap` kernels that lies below a value, tabulated: cached.
+// Share of a normalised noise of `overlap` kernels that lies below a value, tabulated within .001:
+// cached. That noise is the sum over the root of its variance plus noiseVarianceFloor.
 struct NoiseDistribution
 {
   double range = 0.0;       // values from -range to range
@@ -91,7 +101,8 @@ struct NoiseDistribution
 std::shared_ptr<const NoiseDistribution> noiseDistribution(double overlap);
 
 // Thresholds of 256 tones, i / 255, for noise of these kernels (frequency, bandwidth, spread as in
-// NoiseKernelOptions) drawn with inkCoverage: mean ink equals the tone. Measured; cached.
+// NoiseKernelOptions) drawn with inkCoverage: mean ink equals the tone. The first prints nothing
+// and the last everything, -.5 and 1.5. Measured with pictures made of the seed; cached.
 struct NoiseThresholdOptions
 {
   NoiseFieldOptions field;

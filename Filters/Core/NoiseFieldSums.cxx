@@ -312,34 +312,6 @@ struct Entries
   const NoiseSurroundings* surroundings;
 };
 
-// Copies a tile's part of an array of the rectangle; empty stays empty.
-template <class T>
-void copyPart(Span<const T> from, const std::array<int, 4>& rectangle, T outside,
-  const TileSums& sums, std::vector<T>& to)
-{
-  to.clear();
-  if (from.empty())
-  {
-    return;
-  }
-  to.assign(sums.sums.size(), outside);
-  for (int row = 0; row < sums.height; ++row)
-  {
-    const std::size_t line =
-      static_cast<std::size_t>(sums.bottom + row - rectangle[1]) * rectangle[2];
-    std::copy_n(from.data() + line + (sums.left - rectangle[0]), sums.width,
-      to.data() + sums.place(sums.left, sums.bottom + row));
-  }
-}
-
-void copyKnown(const NoiseSurroundings& surroundings, TileSums& sums)
-{
-  copyPart(surroundings.depth, surroundings.rectangle, 1.0f, sums, sums.depth);
-  copyPart(surroundings.objects, surroundings.rectangle, 0, sums, sums.objects);
-  copyPart(surroundings.triangles, surroundings.rectangle, 0, sums, sums.triangles);
-  sums.isKnown = true;
-}
-
 // Kernels that are on their way from memory.
 constexpr std::int64_t ahead = 6;
 
@@ -352,7 +324,7 @@ HACHURE_INLINED bool chooseTests(
   const bool any = tests.depth || tests.objects || tests.triangles;
   if (any && !sums.isKnown)
   {
-    copyKnown(*entries.surroundings, sums);
+    sums.copyKnown(*entries.surroundings);
   }
   return any;
 }
@@ -407,48 +379,12 @@ void sumSpots(const Entries& entries, const SpotTexels& spot, TileSums& sums)
   }
 }
 
-void prepareSums(const TileTask& task, const Tile& tile, int margin, TileSums& sums)
-{
-  const std::array<int, 4>& rectangle = task.surroundings->rectangle;
-  sums.left = std::max(tile.left - margin, rectangle[0]);
-  sums.width = std::min(tile.right + margin, rectangle[0] + rectangle[2]) - sums.left;
-  sums.bottom = std::max(tile.bottom - margin, rectangle[1]);
-  sums.height = std::min(tile.top + margin, rectangle[1] + rectangle[3]) - sums.bottom;
-  sums.sums.assign(static_cast<std::size_t>(sums.height + 2) * TileSums::stride, 0.0f);
-  sums.isKnown = false;
-}
-
 } // namespace
-
-SpotTexels::SpotTexels(const NoiseSpot& spot)
-  : width(spot.width)
-  , height(spot.height)
-{
-  double mean = 0.0;
-  for (const float value : spot.values)
-  {
-    mean += value / static_cast<double>(spot.values.size());
-  }
-  this->values.reserve(static_cast<std::size_t>(width + 2) * (height + 2));
-  double squares = 0.0;
-  for (int row = -1; row <= height; ++row)
-  {
-    for (int column = -1; column <= width; ++column)
-    {
-      const int i = std::clamp(column, 0, width - 1);
-      const int j = std::clamp(row, 0, height - 1);
-      const double value = spot.values[static_cast<std::size_t>(j) * width + i] - mean;
-      squares += i == column && j == row ? value * value : 0.0;
-      this->values.push_back(static_cast<float>(value));
-    }
-  }
-  this->square = static_cast<float>(squares / static_cast<double>(spot.values.size()));
-}
 
 void sumTile(const TileTask& task, const Tile& tile, int margin, TileSums& sums)
 {
-  prepareSums(task, tile, margin, sums);
   const NoiseSurroundings& surroundings = *task.surroundings;
+  sums.prepare(surroundings, tile, margin);
   const Entries entries = { task.tiled->kernels.get(), task.tiled->order.data() + tile.begin,
     tile.end - tile.begin,
     { surroundings.depthTest && !surroundings.depth.empty(),

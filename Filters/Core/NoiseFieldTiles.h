@@ -77,6 +77,10 @@ struct TileSums
   std::vector<float> depth;
   std::vector<std::int32_t> objects, triangles;
 
+  // Makes room for a tile, with sums of 0.
+  void prepare(const NoiseSurroundings& surroundings, const Tile& tile, int margin);
+  void copyKnown(const NoiseSurroundings& surroundings);
+
   std::size_t place(int column, int row) const // in the framebuffer
   {
     return static_cast<std::size_t>(row - this->bottom + 1) * stride + (column - this->left + 1);

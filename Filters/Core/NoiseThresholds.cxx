@@ -67,7 +67,7 @@ std::vector<NoiseKernel> flatKernels(const NoiseThresholdOptions& options, std::
 {
   const double extent = side + 2.0 * options.radius;
   const double density = options.field.overlap / (glsl::screenPi * options.radius * options.radius);
-  const auto count = static_cast<std::uint64_t>(density * extent * extent + 0.5);
+  const auto count = static_cast<std::uint64_t>(std::llround(density * extent * extent));
   const std::uint32_t seed = hashCombine(options.seed, picture);
   std::vector<NoiseKernel> kernels(count);
   for (std::uint64_t i = 0; i < count; ++i)

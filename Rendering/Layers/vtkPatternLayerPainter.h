@@ -79,7 +79,7 @@ public:
     std::array<int, 4> Viewport;     // x, y, width, height in the framebuffer
     std::array<int, 4> Rectangle;    // that is drawn
     const std::vector<float>& Depth; // window depth in the rectangle, 1 where nothing is seen
-    float DepthTolerance;            // within which surfaces count as one
+    float DepthPerPixel;             // change of it by moving away by the size of a pixel
     struct Seen
     {
       std::vector<std::int32_t> Triangles; // in the rectangle, -1 where none is seen

@@ -34,7 +34,7 @@ struct FlatNoise
     const double width = this->rectangle[2] + 2.0 * this->radius;
     const double height = this->rectangle[3] + 2.0 * this->radius;
     const double mean = this->overlap * width * height / (pi * this->radius * this->radius);
-    const auto count = static_cast<std::uint64_t>(mean + 0.5);
+    const auto count = static_cast<std::uint64_t>(std::llround(mean));
     std::vector<NoiseKernel> result(count);
     for (std::uint64_t i = 0; i < count; ++i)
     {
@@ -75,6 +75,14 @@ std::vector<T> imageOf(const std::array<int, 4>& rectangle, Function&& function)
     }
   }
   return result;
+}
+
+// The centre of a pixel of a rectangle.
+inline glm::dvec2 centerOf(const std::array<int, 4>& rectangle, std::size_t pixel)
+{
+  const std::size_t column = pixel % rectangle[2];
+  const std::size_t row = pixel / rectangle[2];
+  return glm::dvec2(column, row) + glm::dvec2(rectangle[0] + 0.5, rectangle[1] + 0.5);
 }
 
 // A sphere seen from far away, in pixels; one pixel of depth is depthPerPixel of window depth.

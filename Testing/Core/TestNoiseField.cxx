@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <complex>
 #include <limits>
 #include <omp.h>
 #include <stdexcept>
@@ -82,12 +81,11 @@ struct MixedScene
   // Whether a pixel's centre is so near to the rim of a kernel that rounding decides.
   bool onRim(std::size_t pixel) const
   {
-    const double x = this->rectangle[0] + static_cast<double>(pixel % this->rectangle[2]) + 0.5;
-    const double y = this->rectangle[1] + static_cast<double>(pixel / this->rectangle[2]) + 0.5;
+    const glm::dvec2 place = centerOf(this->rectangle, pixel);
     return std::any_of(this->kernels.begin(), this->kernels.end(),
       [&](const NoiseKernel& kernel)
       {
-        const double distance = std::hypot(x - kernel.center.x, y - kernel.center.y);
+        const double distance = glm::distance(place, glm::dvec2(kernel.center));
         return std::abs(distance - glsl::kernelRadius(kernel.bandwidth)) < 1e-4;
       });
   }
@@ -121,38 +119,6 @@ void expectNear(const MixedScene& scene, const std::vector<float>& found,
                                   << expected[i];
     }
   }
-}
-
-// Power of an image's spectrum at a frequency, in cycles per pixel, under a smooth window.
-double powerAt(const std::vector<float>& image, int side, double fx, double fy)
-{
-  std::vector<std::complex<double>> columns;
-  columns.reserve(static_cast<std::size_t>(side));
-  const auto window = [side](int i) { return std::sin(pi * (i + 0.5) / side); };
-  for (int i = 0; i < side; ++i)
-  {
-    columns.push_back(window(i) * std::polar(1.0, -2.0 * pi * fx * i));
-  }
-  std::complex<double> sum = 0.0;
-  for (int row = 0; row < side; ++row)
-  {
-    std::complex<double> line = 0.0;
-    for (int i = 0; i < side; ++i)
-    {
-      line += columns[i] * static_cast<double>(image[static_cast<std::size_t>(row) * side + i]);
-    }
-    sum += line * window(row) * std::polar(1.0, -2.0 * pi * fy * row);
-  }
-  return std::norm(sum);
-}
-
-FlatNoise largeNoise(double frequency, double radius)
-{
-  FlatNoise noise;
-  noise.rectangle = { 0, 0, 384, 384 };
-  noise.frequency = frequency;
-  noise.radius = radius;
-  return noise;
 }
 
 } // namespace
@@ -199,16 +165,14 @@ TEST(NoiseField, OneKernelIsTheKernel)
   const double radius = glsl::kernelRadius(kernel.bandwidth);
   EXPECT_NEAR(glsl::noiseEnvelope(static_cast<float>(radius * radius) * 0.999f, kernel.bandwidth),
     0.05, 2e-4);
-  for (int i = 0; i < 1600; ++i)
+  for (std::size_t i = 0; i < 1600; ++i)
   {
-    const glm::vec2 offset = glm::vec2(i % 40 + 0.5f, i / 40 + 0.5f) - kernel.center;
+    const glm::vec2 offset = glm::vec2(centerOf(surroundings.rectangle, i)) - kernel.center;
     const glm::vec2 expected = glsl::phasorKernel(
       offset, kernel.frequency, kernel.bandwidth, kernel.orientation, kernel.phase);
     EXPECT_NEAR(gabor.x[i], expected.x, 2e-6);
     EXPECT_NEAR(phasor.y[i], expected.y, 2e-6);
-    const float envelope = noiseReference(kernels, surroundings, {}).z.empty()
-      ? 0.0f
-      : glsl::noiseEnvelope(glm::dot(offset, offset), kernel.bandwidth);
+    const float envelope = glsl::noiseEnvelope(glm::dot(offset, offset), kernel.bandwidth);
     EXPECT_NEAR(gabor.z[i], 0.5f * envelope * envelope, 2e-6);
   }
 }
@@ -265,80 +229,44 @@ TEST(NoiseField, WidthIsTheChangeAcrossAPixel)
   }
 }
 
-// The radial power of isotropic noise has its peak at f = F0 I1(x) / I0(x), x = f F0 / s^2, where
-// the kernel's power is a Gaussian of deviation s = a / sqrt(4 pi).
-TEST(NoiseField, IsotropicSpectrumPeaksBelowTheFrequency)
+// What shaders do with the sums is what is done here.
+TEST(NoiseField, IsMadeOfItsSumsByTheShadersFunctions)
 {
-  FlatNoise noise = largeNoise(0.125, 14.0);
-  noise.spread = 0.5 * pi;
-  const double s = glsl::kernelBandwidth(14.0f) / std::sqrt(4.0 * pi);
-  double expected = noise.frequency;
-  for (int i = 0; i < 100; ++i)
+  FlatNoise noise;
+  noise.rectangle = { -20, 30, 140, 40 };
+  auto kernels = noise.kernels();
+  for (NoiseKernel& kernel : kernels)
   {
-    const double x = expected * noise.frequency / (s * s);
-    expected = noise.frequency * std::cyl_bessel_i(1.0, x) / std::cyl_bessel_i(0.0, x);
+    kernel.weight = kernel.center.x > 60.0f ? 0.01f : 1.0f; // hardly any
   }
-  // Centre of the part of the spectrum that exceeds a threshold, averaged over directions.
-  std::vector<double> power(41, 0.0);
-  for (std::uint32_t seed = 1; seed <= 2; ++seed)
+  const auto distribution = noiseDistribution(32.0);
+  const auto range = static_cast<float>(distribution->range);
+  const auto steps = static_cast<float>(distribution->share.size() - 1);
+  const NoiseFieldOptions phasor = { NoiseKind::phasor, 32.0, nullptr };
+  const NoiseSums sums = noiseSums(kernels, noise.surroundings(), {});
+  const NoiseSums parts = noiseSums(kernels, noise.surroundings(), phasor);
+  const NoiseField field = noiseField(kernels, noise.surroundings(), {});
+  const NoiseField lines = noiseField(kernels, noise.surroundings(), phasor);
+  const auto part = [&parts](std::size_t i) { return glm::vec2(parts.x[i], parts.y[i]); };
+  for (std::size_t i = 141; i < 140 * 39 - 1; ++i)
   {
-    noise.seed = seed;
-    const auto image = noiseSums(noise.kernels(), noise.surroundings(), {}).x;
-    for (int step = 0; step <= 40; ++step)
+    const float scaled = glsl::normalisedNoise(sums.x[i], sums.z[i], glsl::noiseVarianceFloor);
+    const float place = glsl::noiseTablePosition(scaled, range, steps);
+    const auto step = static_cast<std::size_t>(place);
+    const float share = glm::mix(
+      distribution->share[step], distribution->share[step + 1], place - static_cast<float>(step));
+    ASSERT_NEAR(field.value[i], share, 1e-5) << i;
+    ASSERT_GE(field.width[i], glsl::noiseFlatWidth(sums.z[i], glsl::noiseVarianceFloor));
+    ASSERT_NEAR(lines.value[i], glsl::phasorValue(part(i)), 1e-5) << i;
+    const float x = glsl::phasorChange(part(i), 0.5f * (part(i + 1) - part(i - 1)));
+    const float y = glsl::phasorChange(part(i), 0.5f * (part(i + 140) - part(i - 140)));
+    const float least = glsl::noiseFlatWidth(glm::dot(part(i), part(i)), glsl::phasorFloor);
+    const float width = std::min(std::max(std::hypot(x, y), least), 1.0f);
+    if (i % 140 > 0 && i % 140 < 139)
     {
-      for (int direction = 0; direction < 24; ++direction)
-      {
-        const double f = noise.frequency * (0.6 + 0.02 * step);
-        const double angle = pi * direction / 24.0;
-        power[step] += powerAt(image, 384, f * std::cos(angle), f * std::sin(angle));
-      }
+      ASSERT_NEAR(lines.width[i], width, 1e-4 + 1e-3 * width) << i;
     }
   }
-  // A parabola through the logarithms around the peak, by moments of a Gaussian window's fit.
-  double weights = 0.0, mean = 0.0;
-  const double most = *std::max_element(power.begin(), power.end());
-  for (int step = 0; step <= 40; ++step)
-  {
-    const double weight = std::max(power[step] - 0.4 * most, 0.0);
-    weights += weight;
-    mean += weight * noise.frequency * (0.6 + 0.02 * step);
-  }
-  EXPECT_NEAR(mean / weights / expected, 1.0, 0.03);
-  EXPECT_LT(expected, 0.99 * noise.frequency);
-}
-
-TEST(NoiseField, AnisotropicSpectrumHasFrequencyOrientationAndBandwidth)
-{
-  FlatNoise noise = largeNoise(0.11, 12.0);
-  noise.orientation = 0.6;
-  const double expectedWidth = glsl::kernelBandwidth(12.0f) / std::sqrt(4.0 * pi);
-  double sum = 0.0, x = 0.0, y = 0.0, square = 0.0;
-  constexpr int half = 12;
-  for (std::uint32_t seed = 1; seed <= 2; ++seed)
-  {
-    noise.seed = seed;
-    const auto image = noiseSums(noise.kernels(), noise.surroundings(), {}).x;
-    for (int j = -half; j <= half; ++j)
-    {
-      for (int i = -half; i <= half; ++i)
-      {
-        const glm::dvec2 offset = glm::dvec2(i, j) * (3.5 * expectedWidth / half);
-        const double fx = noise.frequency * std::cos(noise.orientation) + offset.x;
-        const double fy = noise.frequency * std::sin(noise.orientation) + offset.y;
-        const double power = powerAt(image, 384, fx, fy);
-        sum += power;
-        x += power * fx;
-        y += power * fy;
-        square += power * glm::dot(offset, offset);
-      }
-    }
-  }
-  x /= sum;
-  y /= sum;
-  EXPECT_NEAR(std::hypot(x, y) / noise.frequency, 1.0, 0.03);
-  EXPECT_NEAR(std::atan2(y, x), noise.orientation, 2.0 * pi / 180.0);
-  // Per direction; the cut at 5 % widens it a little.
-  EXPECT_NEAR(std::sqrt(0.5 * square / sum) / expectedWidth, 1.0, 0.06);
 }
 
 TEST(NoiseField, DeviationIsOneUpToABorderOfTheKernels)

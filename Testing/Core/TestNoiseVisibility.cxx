@@ -72,8 +72,8 @@ struct SphereScene
   }
   double distance(std::size_t pixel) const
   {
-    return std::hypot(static_cast<double>(pixel % 300) + 0.5 - this->sphere.x,
-      static_cast<double>(pixel / 300) + 0.5 - this->sphere.y);
+    return glm::distance(
+      centerOf(this->rectangle, pixel), glm::dvec2(this->sphere.x, this->sphere.y));
   }
 };
 
@@ -105,6 +105,17 @@ TEST(NoiseVisibility, ToleranceFadesFromOnceToTwice)
   EXPECT_EQ(visibility.share(Step::kernelAt(16.0, 20.0, 0.4009f), radius).seen, 1.0f);
   EXPECT_NEAR(visibility.share(Step::kernelAt(16.0, 20.0, 0.4015f), radius).seen, 0.5f, 1e-3f);
   EXPECT_EQ(visibility.share(Step::kernelAt(16.0, 20.0, 0.4021f), radius).seen, 0.0f);
+}
+
+TEST(NoiseVisibility, NothingIsSeenAtTheFarEndOfTheDepths)
+{
+  const std::vector<float> depth(64 * 48, 1.0f);
+  NoiseSurroundings surroundings = Step().surroundings();
+  surroundings.depth = depth;
+  const std::vector<NoiseKernel> kernels = { Step::kernelAt(16.2, 20.4, 1.0f) };
+  const NoiseShare share = NoiseVisibility(surroundings, kernels).share(kernels[0], radius);
+  EXPECT_EQ(share.seen, 0.0f);
+  EXPECT_FALSE(share.complete);
 }
 
 // A kernel that moves across an edge fades without a jump, and nowhere does it cross the edge.

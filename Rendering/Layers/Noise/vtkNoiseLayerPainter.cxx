@@ -6,6 +6,7 @@
 
 #include "Kernels.h"
 #include "NoiseLayer.h"
+#include "NoiseVisibility.h"
 #include "PatternImageFile.h"
 #include "vtkNoiseControl.h"
 #include "vtkNoiseLayer.h"
@@ -179,7 +180,8 @@ hachure::NoiseSurroundings vtkNoiseLayerPainter::Surroundings(const FieldScene& 
   hachure::NoiseSurroundings around;
   around.rectangle = scene.Rectangle;
   around.depth = scene.Depth;
-  around.depthTolerance = scene.DepthTolerance;
+  const auto radius = static_cast<float>(this->Layer->GetRegularity() * this->Period);
+  around.depthTolerance = hachure::noiseDepthToleranceFor(radius, scene.DepthPerPixel);
   around.depthTest = this->Layer->GetDepthTest();
   around.partialVisibility = this->Layer->GetPartialVisibility();
   const bool objects = this->Layer->GetObjectTest() && scene.Surface->HasSeveralBlocks();

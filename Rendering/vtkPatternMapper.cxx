@@ -139,6 +139,7 @@ vtkPatternLayerPainter::Scene PainterScene(vtkRenderer* renderer, vtkActor* acto
   vtkPatternLayerPainter::Scene scene;
   scene.PixelsPerLogical = viewport.PixelsPerLogical;
   scene.DotsPerInch = style->GetDotsPerInch();
+  scene.FinalQuality = style->GetFinalQuality();
   scene.ModelToClip = projection * modelToView;
   scene.PixelsPerModelUnit = 0.5 * viewport.Drawn[3] * std::abs(projection[1][1]) *
     std::cbrt(std::abs(glm::determinant(glm::dmat3(modelToView))));

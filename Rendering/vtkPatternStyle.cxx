@@ -283,6 +283,7 @@ void vtkPatternStyle::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PixelScale: " << this->PixelScale << "\n";
+  os << indent << "FinalQuality: " << this->FinalQuality << "\n";
   os << indent << "DotsPerInch: " << this->DotsPerInch << "\n";
   os << indent << "PaperSource: " << this->PaperSource << "\n";
   os << indent << "PaperColor: " << this->PaperColor[0] << ", " << this->PaperColor[1] << ", "

@@ -5,7 +5,7 @@
  * @brief what a surface is drawn with: paper, a stack of layers and an outline
  *
  * A style holds parameters alone and can serve any number of mappers. A new one is bare paper;
- * LoadPreset, LoadFile and FromJson fill it, replacing everything but PixelScale.
+ * LoadPreset, LoadFile and FromJson fill it, replacing everything but PixelScale and FinalQuality.
  *
  * A style as JSON: {"hachure": 1, "paper": {...}, "outline": {...}, "tracking": {...}, "layers":
  * [{"type": "image", "enabled": true, "seed": 1, "field": {...}, "tone": {...}, "ink": {...}}]}.
@@ -208,6 +208,15 @@ public:
   ///@}
 
   ///@{
+  /** Whether to draw for a picture that lasts rather than for interaction: the kernels of noises
+   * are hidden by every pixel that hides a part of them, not by samples. Belongs to the output as
+   * PixelScale, which a final picture should raise as well. Default off. */
+  vtkSetMacro(FinalQuality, bool);
+  vtkGetMacro(FinalQuality, bool);
+  vtkBooleanMacro(FinalQuality, bool);
+  ///@}
+
+  ///@{
   /** The built-in styles, in their stable order: hatch, cross-hatch, halftone. The name is null
    * for an index that does not exist. */
   static int GetNumberOfPresets();
@@ -230,9 +239,9 @@ public:
   ///@}
 
   ///@{
-  /** Writes every parameter but PixelScale as JSON that reads back to the same values. The text is
-   * empty, or false is returned, after an error, when an image has no file or the file cannot be
-   * written. SaveFile names files of images relative to the style file. */
+  /** Writes every parameter but PixelScale and FinalQuality as JSON that reads back to the same
+   * values. The text is empty, or false is returned, after an error, when an image has no file or
+   * the file cannot be written. SaveFile names files of images relative to the style file. */
   virtual std::string ToJson();
   virtual bool SaveFile(const std::string& fileName);
   ///@}
@@ -268,6 +277,7 @@ private:
   bool LockScale = false;
   int SamplesPerPatch = 500;
   double PixelScale = 1.0;
+  bool FinalQuality = false;
 };
 
 #endif

@@ -19,6 +19,8 @@ namespace
 constexpr int LargestSide = 16384;
 constexpr int SmallestSide = 16;
 constexpr int LargestSupersample = 8;
+constexpr int UsualSupersample = 2;
+constexpr int FinalSupersample = 4;
 constexpr int LargestOrbit = 100000;
 constexpr double LargestZoom = 1000.0;
 
@@ -129,6 +131,16 @@ std::string toAxis(const std::string& option, const std::string& text)
   refuse(option, text, "one of x y z -x -y -z");
 }
 
+/// Whether it is the final one.
+bool toQuality(const std::string& option, const std::string& text)
+{
+  if (text != "interactive" && text != "final")
+  {
+    refuse(option, text, "interactive or final");
+  }
+  return text == "final";
+}
+
 using Setter = std::function<void(const std::string& option, const std::string& value)>;
 
 std::map<std::string, Setter> valueOptions(RenderOptions& result)
@@ -146,6 +158,7 @@ std::map<std::string, Setter> valueOptions(RenderOptions& result)
     { "--output", [&](Text, Text v) { result.output = v; } },
     { "--supersample",
       [&](Text o, Text v) { result.supersample = toInteger(o, v, 1, LargestSupersample); } },
+    { "--quality", [&](Text o, Text v) { result.finalQuality = toQuality(o, v); } },
     { "--up", [&](Text o, Text v) { result.up = toAxis(o, v); } },
     { "--front", [&](Text o, Text v) { result.front = toAxis(o, v); } },
   };
@@ -233,6 +246,10 @@ RenderOptions parseOptions(int argumentCount, char* const* arguments)
     setter->second(
       name, equals == std::string::npos ? arguments[++i] : argument.substr(equals + 1));
   }
+  if (result.supersample == 0)
+  {
+    result.supersample = result.finalQuality ? FinalSupersample : UsualSupersample;
+  }
   checkTogether(result);
   return result;
 }
@@ -258,7 +275,8 @@ INPUT is read by its extension: .vtp .vtu .vti .vtm .stl .obj .ply .ex2 .nii .ni
   --animation FILE     key frames of camera, lights, actor and style (.json)
   --output DIR         where to write, made when it does not exist (default frames)
   --movie              write movie.ogv as well
-  --supersample N      draw N times larger and average in linear light (default 2)
+  --supersample N      draw N times larger and average in linear light (default 2, final 4)
+  --quality Q          interactive, or final: slower, noises hidden pixel by pixel
   --up AXIS            axis that points up, one of x y z -x -y -z (default by file type)
   --front AXIS         axis that points at the viewer (default by file type)
   --list-styles        print the names of the styles

@@ -34,7 +34,8 @@ struct RenderOptions
   std::string animation;                         ///< key frame file, see animation.schema.md
   std::string output = "frames";                 ///< folder, made when it does not exist
   bool movie = false;
-  int supersample = 2; ///< pictures are drawn this many times larger and averaged
+  bool finalQuality = false;
+  int supersample = 0; ///< pictures are drawn this many times larger and averaged; 0: as usual
   std::string up;      ///< axis, "z" or "-y"; empty: by file type
   std::string front;   ///< axis that points at the viewer; empty: by file type
 };

@@ -165,6 +165,7 @@ void Scene::makeStyle(const RenderOptions& options)
     }
   }
   this->patternStyle->SetPixelScale(options.supersample);
+  this->patternStyle->SetFinalQuality(options.finalQuality);
 }
 
 //----------------------------------------------------------------------------

@@ -23,11 +23,6 @@ constexpr float largestStep = 512.0f;
 // end there.
 constexpr int border = floatLanes + 2;
 
-int stepOf(float radius)
-{
-  return static_cast<int>(std::min(glsl::noiseSampleStep(radius), largestStep));
-}
-
 int divideDown(int value, int divisor)
 {
   return value >= 0 ? value / divisor : -((divisor - 1 - value) / divisor);
@@ -177,6 +172,7 @@ NoiseVisibility::NoiseVisibility(
   const bool depthCounts =
     !surroundings.depth.empty() && (surroundings.depthTest || surroundings.partialVisibility);
   this->active = depthCounts || (!surroundings.objects.empty() && surroundings.partialVisibility);
+  this->everyPixel = surroundings.everyPixel;
   // Without depths everything is on every plane.
   this->tolerance = surroundings.depth.empty() ? 1e30f : surroundings.depthTolerance;
   this->samples.resize(static_cast<std::size_t>(largestStep) + 1);
@@ -186,7 +182,7 @@ NoiseVisibility::NoiseVisibility(
     if (this->active && kernel.bandwidth != last && kernel.bandwidth > 0.0f)
     {
       last = kernel.bandwidth;
-      const int step = stepOf(glsl::kernelRadius(last));
+      const int step = this->stepOf(glsl::kernelRadius(last));
       Samples& wanted = this->samples[static_cast<std::size_t>(step)];
       if (wanted.step == 0)
       {
@@ -196,13 +192,19 @@ NoiseVisibility::NoiseVisibility(
   }
 }
 
+int NoiseVisibility::stepOf(float radius) const
+{
+  return this->everyPixel ? 1
+                          : static_cast<int>(std::min(glsl::noiseSampleStep(radius), largestStep));
+}
+
 NoiseShare NoiseVisibility::share(const NoiseKernel& kernel, float radius) const
 {
   if (!this->active)
   {
     return {};
   }
-  const Samples& wanted = this->samples[static_cast<std::size_t>(stepOf(radius))];
+  const Samples& wanted = this->samples[static_cast<std::size_t>(this->stepOf(radius))];
   const auto step = static_cast<float>(wanted.step);
   // Disturbances are known before they reach the disc.
   const float reach = radius + 0.5f * step;

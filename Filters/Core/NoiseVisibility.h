@@ -45,7 +45,10 @@ public:
 
 private:
   std::vector<Samples> samples; // by step
+  int stepOf(float radius) const;
+
   float tolerance = 0.0f;
+  bool everyPixel = false;
   bool active = false; // whether anything can hide a kernel
 };
 

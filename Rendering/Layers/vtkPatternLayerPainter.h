@@ -40,6 +40,7 @@ public:
   {
     double PixelsPerLogical = 1.0;
     double DotsPerInch = 96.0;
+    bool FinalQuality = false;
     glm::dmat4 ModelToClip = glm::dmat4(1.0);
     double PixelsPerModelUnit = 1.0;          // of the framebuffer, where clip w is 1
     double ModelDiagonal = 1.0;               // of the input's bounds; 0 where there are none

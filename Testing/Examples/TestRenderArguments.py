@@ -38,6 +38,7 @@ for option, value, expected in (
         ("--size", "640", "WxH"), ("--size", "8x8", "WxH"), ("--size", "640x480x2", "WxH"),
         ("--zoom", "0:1", "A:B"), ("--zoom", "1:2:3", "A:B"), ("--light", "40", "AZ,EL"),
         ("--light", "0,100", "AZ,EL"), ("--supersample", "9", "from 1 to 8"),
+        ("--quality", "best", "interactive or final"),
         ("--up", "w", "one of x y z")):
     refused(f"bad value '{value}' for {option}", "sphere.vtp", option, value)
     refused(expected, "sphere.vtp", f"{option}={value}")

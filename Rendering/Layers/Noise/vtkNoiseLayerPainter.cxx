@@ -75,6 +75,7 @@ bool vtkNoiseLayerPainter::Update(
     ? scene.DotsPerInch / millimetresPerInch
     : 1.0;
   this->Window = window;
+  this->FinalQuality = scene.FinalQuality;
   this->Period = this->Layer->GetSize() * unit * scene.PixelsPerLogical;
   this->UpdateThresholds();
   this->Rectangle = { 0, 0, 0, 0 };
@@ -183,6 +184,7 @@ hachure::NoiseSurroundings vtkNoiseLayerPainter::Surroundings(const FieldScene& 
   const auto radius = static_cast<float>(this->Layer->GetRegularity() * this->Period);
   around.depthTolerance = hachure::noiseDepthToleranceFor(radius, scene.DepthPerPixel);
   around.depthTest = this->Layer->GetDepthTest();
+  around.everyPixel = this->FinalQuality;
   around.partialVisibility = this->Layer->GetPartialVisibility();
   const bool objects = this->Layer->GetObjectTest() && scene.Surface->HasSeveralBlocks();
   const bool triangles = this->Layer->GetTriangleTest();

@@ -48,6 +48,7 @@ private:
 
   vtkWeakPointer<vtkNoiseLayer> Layer;
   vtkOpenGLRenderWindow* Window = nullptr;
+  bool FinalQuality = false;
   double Period = 8.0; // pixels of the framebuffer per mark
   std::vector<float> Thresholds;
   hachure::NoiseThresholdOptions ThresholdOptions; // that they were measured with

@@ -65,6 +65,7 @@ with scene.Messages() as messages:
         where = scene.view(full_detail=full_detail)
         scene.show(flow, where, **led)
         scene.look(where, START)
+        simple.Render(where)
         if not full_detail:
             where.SMProxy.InteractiveRender()
             where.UseInteractiveRenderingForScreenshots = 1

@@ -45,13 +45,18 @@ def messages_of(**properties):
     return messages.text
 
 
-# Vectors of points and of cells are offered, and strokes follow them.
+def offered(display, what):
+    """Names of the arrays among which one can choose."""
+    domain = display.SMProxy.GetProperty("Noise%sArray" % what).GetDomain("array_list")
+    return {domain.GetString(i) for i in range(domain.GetNumberOfStrings())}
+
+
+# Vectors of points and of cells are offered, and strokes follow them; numbers are for the control.
 for source in both, of_cells:
     where = scene.view()
     display = simple.Show(source, where)
-    domain = display.SMProxy.GetProperty("NoiseDirectionArray").GetDomain("array_list")
-    offered = [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]
-    assert "None" in offered and "flow" in offered and "place" not in offered, offered
+    assert offered(display, "Direction") == {"None", "Normals", "flow"}, offered(display, "Direction")
+    assert offered(display, "Control") == {"place"}, offered(display, "Control")
     assert display.NoiseDirectionArray == "None", display.NoiseDirectionArray
     assert display.NoiseControlArray.GetArrayName() == "place", display.NoiseControlArray
     simple.Delete(where)

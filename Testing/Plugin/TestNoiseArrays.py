@@ -71,9 +71,10 @@ for source, association in (both, "POINTS"), (of_cells, "CELLS"):
     shown = draw(source, "noise-sizes-" + association, **control)
     left, right = changes(shown[:, :60]), changes(shown[:, -60:])
     assert left > 1.5 * right, (left, right)
-    shown = draw(source, NoiseSizeFactors=[2, 0.5], **control)
-    left, right = changes(shown[:, :60]), changes(shown[:, -60:])
-    assert right > 1.5 * left, (left, right)
+    for turned in {"NoiseSizeFactors": [2, 0.5]}, {"NoiseControlRange": [0.8, -0.8]}:
+        shown = draw(source, **dict(control, **turned))
+        left, right = changes(shown[:, :60]), changes(shown[:, -60:])
+        assert right > 1.5 * left, (turned, left, right)
 control["NoiseControlArray"] = ["POINTS", "place"]
 regular = draw(NoiseSizeFactors=[1, 1], NoiseRegularityFactors=[4, 0.25], **control)
 assert scene.difference(regular, draw(NoiseSizeFactors=[1, 1], **control)) > 5

@@ -37,6 +37,7 @@
 #include <algorithm> // For the ranges of the setters
 #include <string>
 
+class vtkNoiseLayer;
 class vtkRepresentationPatches;
 
 class HACHUREREPRESENTATIONS_EXPORT vtkPatternRepresentation
@@ -735,9 +736,8 @@ protected:
 
   void UpdateColoringParameters() override;
 
-private:
-  vtkPatternRepresentation(const vtkPatternRepresentation&) = delete;
-  void operator=(const vtkPatternRepresentation&) = delete;
+  /** Replaces in a style what the properties ask for. */
+  virtual void AdjustStyle(vtkPatternStyle* style);
 
   // What setters of the style have in common.
   template <class T>
@@ -764,6 +764,11 @@ private:
     this->Change(member[1], std::clamp(green, 0.0, 1.0));
     this->Change(member[2], std::clamp(blue, 0.0, 1.0));
   }
+
+private:
+  vtkPatternRepresentation(const vtkPatternRepresentation&) = delete;
+  void operator=(const vtkPatternRepresentation&) = delete;
+
   template <class T>
   void ChangePatches(T& member, const T& value)
   {
@@ -778,7 +783,6 @@ private:
   void UpdatePatches();
   void UpdateStyle();
   bool LoadStyle(vtkPatternStyle* style);
-  void AdjustStyle(vtkPatternStyle* style);
   void AdjustOutline(vtkPatternStyle* style);
   void AdjustMotion(vtkPatternStyle* style);
   void AdjustInk(vtkPatternLayer* layer);
@@ -789,6 +793,7 @@ private:
   void AdjustBrush(vtkImagePatternLayer* layer);
   void AdjustPaperGrain(vtkImagePatternLayer* layer);
   void AdjustMarksMotion(vtkImagePatternLayer* layer);
+  void AdjustNoise(vtkNoiseLayer* layer);
   vtkSmartPointer<vtkImageData> ReadPicture();
 
   bool StyleChanged = true;

@@ -6,6 +6,7 @@
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkNoiseLayer.h"
 
 #include <cmath>
 
@@ -29,6 +30,10 @@ void vtkPatternRepresentation::AdjustStyle(vtkPatternStyle* style)
     {
       this->AdjustMarks(image, picture);
       this->AdjustMarksMotion(image);
+    }
+    if (auto* noise = vtkNoiseLayer::SafeDownCast(layer))
+    {
+      this->AdjustNoise(noise);
     }
     layer->SetSeed(layer->GetSeed() + static_cast<vtkTypeUInt32>(this->PatternSeed));
     this->AdjustInk(layer);
@@ -238,6 +243,13 @@ void vtkPatternRepresentation::AdjustMarksMotion(vtkImagePatternLayer* layer)
     layer->SetLodStart(this->PatternTransitionRange[0]);
     layer->SetLodEnd(this->PatternTransitionRange[1]);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::AdjustNoise(vtkNoiseLayer* layer)
+{
+  layer->SetSize(layer->GetSize() * this->PatternScale);
+  layer->SetAngle(WithinTurn(layer->GetAngle() + this->PatternAngle));
 }
 
 //------------------------------------------------------------------------------

@@ -1,82 +1,119 @@
 # SPDX-FileCopyrightText: Hachure contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Defaults in the XML equal those of the class, every property reaches it, and no style is forgotten."""
+"""Defaults in the XML equal those of the classes, every property reaches them, and no style is forgotten."""
 
 import os
-import xml.etree.ElementTree as xml
 
 import pattern_scene as scene
 from paraview import servermanager, simple
 
-folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Plugin/Representations")
-written = xml.parse(os.path.join(folder, "PatternRepresentation.xml")).find(".//RepresentationProxy")
-properties = [item for item in written if item.tag.endswith("VectorProperty")]
-assert len(properties) >= 15, len(properties)
-with_default = [item for item in properties if item.get("default_values") is not None]
-without = [item.get("name") for item in properties if item not in with_default]
-assert all(name.endswith("Array") for name in without), "only arrays, which the data decide, have no default"
-
-
-def numbers_or_text(item, text):
-    """A value of the property in comparable form."""
-    if item.tag == "StringVectorProperty":
-        return text
-    return [float(part) for part in text.split()]
-
-
-# A proxy that only asks: its object is as the constructor left it.
-asking = ['<Proxy name="PatternGetters" class="vtkPatternRepresentation">']
-for item in with_default:
-    assert item.get("command") == "Set" + item.get("name"), item.get("name")
-    count = item.get("number_of_elements")
-    never = "-77 " * int(count)  # stays when the question fails
-    asking.append(
-        '<%s name="%s" command="Get%s" information_only="1" number_of_elements="%s" default_values="%s" />'
-        % (item.tag, item.get("name"), item.get("name"), count, never)
-    )
-asking.append("</Proxy>")
-definitions = servermanager.vtkSMProxyManager.GetProxyManager().GetActiveSessionProxyManager()
-assert definitions.LoadConfigurationXML(
-    "<ServerManagerConfiguration><ProxyGroup name='misc'>%s</ProxyGroup></ServerManagerConfiguration>"
-    % "".join(asking)
-)
-getters = definitions.NewProxy("misc", "PatternGetters")
-getters.UpdateVTKObjects()
-getters.UpdatePropertyInformation()
-for item in with_default:
-    actual = getters.GetProperty(item.get("name"))
-    values = [actual.GetElement(i) for i in range(actual.GetNumberOfElements())]
-    in_class = values[0] if item.tag == "StringVectorProperty" else [float(v) for v in values]
-    in_xml = numbers_or_text(item, item.get("default_values"))
-    assert in_class == in_xml, "%s: %s in C++, %s in XML" % (item.get("name"), in_class, in_xml)
-
-# All four kinds of proxies expose every property, with the default of the XML where data have no say.
-for proxy in (
+PROXIES = (
     "GeometryRepresentation",
     "StructuredGridRepresentation",
     "UniformGridRepresentation",
     "UnstructuredGridRepresentation",
-):
+)
+definitions = servermanager.vtkSMProxyManager.GetProxyManager().GetActiveSessionProxyManager()
+
+
+def written(representation):
+    """Properties in the XML that the plugin brings: dictionaries of their attributes, and a tag."""
+    manager = definitions.GetProxyDefinitionManager()
+    proxy = manager.GetProxyDefinition("representations", representation + "Representation")
+    elements = [proxy.GetNestedElement(i) for i in range(proxy.GetNumberOfNestedElements())]
+    names = "name", "command", "number_of_elements", "default_values", "panel_visibility"
+    return [
+        dict({name: element.GetAttribute(name) for name in names}, tag=element.GetName())
+        for element in elements
+        if element.GetName().endswith("VectorProperty")
+    ]
+
+
+def asking_proxy(representation, properties):
+    """A proxy that only asks: its object is as the constructor left it."""
+    text = '<Proxy name="%sGetters" class="vtk%sRepresentation">' % (representation, representation)
+    for item in properties:
+        never = "-77 " * int(item["number_of_elements"])  # stays when the question fails
+        text += (
+            '<%s name="%s" command="%s" information_only="1" number_of_elements="%s" default_values="%s" />'
+            % (item["tag"], item["name"], item["command"].replace("Set", "Get", 1),
+               item["number_of_elements"], never)
+        )
+    text += "</Proxy>"
+    assert definitions.LoadConfigurationXML(
+        "<ServerManagerConfiguration><ProxyGroup name='misc'>%s</ProxyGroup></ServerManagerConfiguration>" % text
+    )
+    getters = definitions.NewProxy("misc", representation + "Getters")
+    getters.UpdateVTKObjects()
+    getters.UpdatePropertyInformation()
+    return getters
+
+
+def check_defaults(representation, properties):
+    """Of the class and of the XML."""
+    with_default = [item for item in properties if item["default_values"] is not None]
+    without = [item["name"] for item in properties if item not in with_default]
+    assert all(name.endswith("Array") for name in without), "only arrays, which the data decide, have no default"
+    getters = asking_proxy(representation, with_default)
+    for item in with_default:
+        actual = getters.GetProperty(item["name"])
+        in_class = [actual.GetElement(i) for i in range(actual.GetNumberOfElements())]
+        in_xml = [item["default_values"]]
+        if item["tag"] != "StringVectorProperty":
+            in_class = [float(value) for value in in_class]
+            in_xml = [float(value) for value in item["default_values"].split()]
+        assert in_class == in_xml, "%s: %s in C++, %s in XML" % (item["name"], in_class, in_xml)
+
+
+def check_proxy(proxy, representation, properties):
+    """One of the kinds of proxies exposes every property."""
     extended = definitions.NewProxy("representations", proxy)
     extended.UpdateVTKObjects()
     extended.UpdatePropertyInformation()
     kinds = extended.GetProperty("Representation").GetDomain("list")
     texts = [kinds.GetString(i) for i in range(kinds.GetNumberOfStrings())]
-    assert "Pattern" in texts, "%s: %s" % (proxy, texts)
+    assert representation in texts, "%s: %s" % (proxy, texts)
     for item in properties:
-        assert extended.GetProperty(item.get("name")), proxy + " lacks " + item.get("name")
+        assert extended.GetProperty(item["name"]), proxy + " lacks " + item["name"]
+
+
+def styles(representation):
+    """Those that are offered."""
+    display = simple.GetDisplayProperties(ball, where)
+    domain = display.SMProxy.GetProperty(representation + "Style").GetDomain("styles")
+    return [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]
+
+
+pattern = written("Pattern")
+noise = written("Noise")
+assert len(pattern) >= 60, len(pattern)
+assert len(noise) >= 40, len(noise)
+for representation, properties in ("Pattern", pattern), ("Noise", noise):
+    check_defaults(representation, properties)
+    assert all(item["name"].startswith(representation) for item in properties), properties
+    for proxy in PROXIES:
+        check_proxy(proxy, representation, properties)
+
+# A property of Noise sets what it says, or is one of Pattern and the same in all but its name.
+assert all(item["command"] == "Set" + item["name"] for item in pattern)
+named = {item["name"]: item for item in pattern}
+for item in noise:
+    stem = item["name"][len("Noise") :]
+    if item["command"] != "Set" + item["name"] and stem != "Style":
+        assert item == dict(named["Pattern" + stem], name=item["name"]), item
 
 # The table of the README names every property.
-with open(os.path.join(folder, "../../README.md"), encoding="utf-8") as readme:
+readme_file = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../README.md")
+with open(readme_file, encoding="utf-8") as readme:
     rows = [line.split("|")[1] for line in readme if line.startswith("| `Pattern")]
 listed = [name.strip("` ") for row in rows for name in row.split(",")]
-assert sorted(listed) == sorted(item.get("name") for item in properties), listed
+assert sorted(listed) == sorted(named), listed
 
-# The list of styles is that of the class, which names them all when there is an error.
-domain = extended.GetProperty("PatternStyle").GetDomain("styles")
-offered = [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]
+# The lists of styles together are that of the class, which names them all when there is an error.
+ball = simple.Sphere()
 where = scene.view()
 with scene.Messages() as messages:
-    display = scene.show(simple.Sphere(), where, PatternStyle="no such style")
+    scene.show(ball, where, PatternStyle="no such style")
     simple.Render(where)
-assert '"no such style"; expected one of ' + ", ".join(offered) + "." in messages.text, messages.text
+wanted = messages.text.split('"no such style"; expected one of ')[1].split(".")[0].split(", ")
+assert sorted(styles("Pattern") + styles("Noise")) == sorted(wanted), wanted

@@ -55,3 +55,26 @@ with scene.Messages() as messages:
     simple.Render(where)
     where.SMProxy.InteractiveRender()
 assert not messages.text, messages.text
+
+# Noise is there as well, led by an array, and leaves no trace either.
+flow = simple.Calculator(Input=sphere, ResultArrayName="flow", Function="iHat+0*coordsX")
+led = {"Representation": "Noise", "NoiseDirectionArray": "flow", "NoiseOutline": "Off"}
+shown = []
+with scene.Messages() as messages:
+    for full_detail in True, False:
+        where = scene.view(full_detail=full_detail)
+        scene.show(flow, where, **led)
+        scene.look(where, START)
+        simple.Render(where)
+        if not full_detail:
+            where.SMProxy.InteractiveRender()
+            where.UseInteractiveRenderingForScreenshots = 1
+            low = scene.array(where.CaptureWindow(1))
+            where.UseInteractiveRenderingForScreenshots = 0
+        shown.append(scene.picture(where))
+        simple.Delete(where)
+assert not messages.text, messages.text
+assert (shown[0] == shown[1]).all()
+drawn = (low != 128).any(axis=2)
+ink = (low[drawn].max(axis=1) < 100).mean()
+assert 0.1 < ink < 0.9, "ink of noise in low detail: %.3f" % ink

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every kind of data is drawn with patterns, by light and by arrays, and properties change what they say."""
 
+import itertools
 import os
 
 import numpy
@@ -37,8 +38,8 @@ kinds = {
     "StructuredGridRepresentation": simple.Transform(Input=wavelet),
     "UnstructuredGridRepresentation": simple.Tetrahedralize(Input=wavelet),
 }
-for wanted, source in kinds.items():
-    shown, kind = draw(source, "kind-" + wanted)
+for (wanted, source), representation in itertools.product(kinds.items(), ("Pattern", "Noise")):
+    shown, kind = draw(source, "kind-%s-%s" % (wanted, representation), Representation=representation)
     assert kind == wanted, kind + " is not " + wanted
     ground = share(shown, 128)
     assert ground < 0.8, "%s: nothing is drawn" % kind

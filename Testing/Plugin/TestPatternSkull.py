@@ -12,7 +12,7 @@ import pattern_scene as scene
 from paraview import simple
 from paraview.vtk.vtkIOImage import vtkPNGReader
 
-STYLES = ("hatch", "cross-hatch", "halftone")
+STYLES = {"hatch": "Pattern", "cross-hatch": "Pattern", "halftone": "Pattern", "gabor": "Noise", "phasor": "Noise"}
 # Mean difference from VTK in levels, and pixels that differ by more than 16. Depth ranges differ, so that
 # single pixels of outlines do; the same strokes half a pixel aside differ by 4 levels.
 MEAN = 0.1
@@ -39,7 +39,9 @@ def draw(name, **properties):
 
 
 surface, size = draw("paraview-surface", Representation="Surface")
-pictures = {style: draw("paraview-" + style, PatternStyle=style)[0] for style in STYLES}
+pictures = {}
+for style, kind in STYLES.items():
+    pictures[style], _ = draw("paraview-" + style, **{"Representation": kind, kind + "Style": style})
 object_pixels = (surface != 128).any(axis=2)
 for style, shown in pictures.items():
     assert scene.difference(shown, surface) > 10, style + " looks like Surface"

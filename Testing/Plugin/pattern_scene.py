@@ -42,7 +42,7 @@ def view(size=SIZE, full_detail=True):
 
 
 def show(source, where, **properties):
-    """Shows the source in the view as Pattern."""
+    """Shows the source in the view as Pattern, or as the properties say."""
     display = simple.Show(source, where)
     display.Representation = "Pattern"
     display.ColorArrayName = ["POINTS", ""]

@@ -217,17 +217,34 @@ NoiseShare NoiseVisibility::share(const NoiseKernel& kernel, float radius) const
     return whole + (static_cast<float>(whole) < inside ? 1 : 0);
   };
   const glm::vec2 slope = kernel.depthSlope;
-  const Disc disc = { &wanted, &kernel, radius, reach, this->tolerance,
+  Disc disc = { &wanted, &kernel, radius, reach, this->tolerance,
     std::sqrt(slope.x * slope.x + slope.y * slope.y),
     from(kernel.center.x - reach, wanted.firstColumn, wanted.columns - floatLanes),
     from(kernel.center.y - reach, wanted.firstRow, wanted.rows),
     from(kernel.center.y + reach, wanted.firstRow, wanted.rows) };
-  if (isComplete(disc))
+  // Eight columns hold the samples of a disc, unless every pixel is one. Beyond the last eight
+  // nothing is known.
+  const int first = disc.column;
+  const int last = std::min(from(kernel.center.x + reach, wanted.firstColumn, wanted.columns),
+    wanted.columns - floatLanes + 1);
+  const auto next = [&] { return (disc.column += floatLanes) < last; };
+  bool complete = isComplete(disc);
+  while (complete && next())
+  {
+    complete = isComplete(disc);
+  }
+  if (complete)
   {
     return { 1.0f, true };
   }
+  disc.column = first;
   SampleSums sums{};
-  sumSamples(disc, sums);
+  do
+  {
+    SampleSums part{};
+    sumSamples(disc, part);
+    sums = { sums.known + part.known, sums.seen + part.seen, sums.missing + part.missing };
+  } while (next());
   if (!(sums.known > 0.0f))
   {
     return { 1.0f, false };

@@ -250,6 +250,9 @@ NOISES = {
     "spot": kernels(hachure.vtkNoiseLayer.SPOT),
 }
 
+# Along their strokes slides cannot be seen: only those across count.
+STROKES = {"hatch"}
+
 LIGHTINGS = {
     "unlit": lambda tone: (tone.SetSource(tone.CONSTANT), tone.SetConstant(TONE)),
     "lit": lambda tone: tone.SetSource(tone.LIT),

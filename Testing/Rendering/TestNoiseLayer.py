@@ -301,6 +301,21 @@ def test_other_cells_are_another_surface():
     assert (after == scene.draw(fresh)).all()
 
 
+def test_final_quality_is_the_same_picture():
+    """As hachure-render draws both: two and four times larger, and the latter hidden pixel by pixel."""
+    pictures = []
+    for scale, final in ((2, False), (4, True)):
+        style = noise_style(Spread=90)
+        style.SetPixelScale(scale)
+        style.SetFinalQuality(final)
+        _, _, window = stage(scene.sphere(), style, size=(256 * scale, 256 * scale))
+        blocks = scene.linear(scene.draw(window)).reshape(256, scale, 256, scale, 3)
+        pictures.append(255 * blocks.mean(axis=(1, 3)) ** (1 / 2.2))
+    difference = numpy.abs(pictures[1] - pictures[0]).mean()
+    print("final against interactive", difference)
+    assert difference < 2, difference
+
+
 def test_window_that_changes_its_size():
     _, _, window = stage(scene.sphere(), noise_style(Spread=90))
     for size in ((64, 64), (300, 200), (1, 1), (128, 128)):

@@ -142,14 +142,6 @@ void findObject(const NoiseSurroundings& surroundings, const Grid& grid, Tile& t
   tile.object = found.value_or(0);
 }
 
-bool isDrawable(const NoiseKernel& kernel)
-{
-  const float sum = kernel.center.x + kernel.center.y + kernel.weight + kernel.phase +
-    kernel.frequency + kernel.bandwidth + kernel.orientation + kernel.depth + kernel.depthSlope.x +
-    kernel.depthSlope.y;
-  return std::isfinite(sum) && kernel.weight > 0.0f && kernel.bandwidth > 0.0f;
-}
-
 // First pixel at or behind a place, as far as it lies in a range of pixels or just behind it.
 int firstPixel(float place, int begin, int count)
 {
@@ -287,6 +279,14 @@ std::int64_t placeEntries(
 }
 
 } // namespace
+
+bool isDrawable(const NoiseKernel& kernel)
+{
+  const float sum = kernel.center.x + kernel.center.y + kernel.weight + kernel.phase +
+    kernel.frequency + kernel.bandwidth + kernel.orientation + kernel.depth + kernel.depthSlope.x +
+    kernel.depthSlope.y;
+  return std::isfinite(sum) && kernel.weight > 0.0f && kernel.bandwidth > 0.0f;
+}
 
 TiledKernels tileKernels(
   Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings, int margin)

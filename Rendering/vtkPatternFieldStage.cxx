@@ -65,13 +65,26 @@ FieldScene::Seen LookAtTriangles(const vtkPatternFieldStage& stage)
   }
   return seen;
 }
+
+float DepthTolerance(const vtkPatternFieldStage& stage)
+{
+  // Steps in depth below this part of the object's size are relief of one surface.
+  constexpr double relief = 0.004;
+  return DepthChange(stage.ModelToClip, stage.Center, relief * stage.Diagonal);
+}
 } // namespace
 
 std::string vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
 {
-  // Steps in depth below this part of the object's size are relief of one surface.
-  constexpr double relief = 0.004;
-  const std::vector<float> depth = this->Resources.ReadDepth(this->Window, this->Rectangle);
+  std::vector<float> depth;
+  const auto lookAtDepth = [&]() -> const std::vector<float>&
+  {
+    if (depth.empty())
+    {
+      depth = this->Resources.ReadDepth(this->Window, this->Rectangle);
+    }
+    return depth;
+  };
   FieldScene::Seen seen;
   const auto look = [&]() -> const FieldScene::Seen&
   {
@@ -91,6 +104,12 @@ std::string vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
     return tones;
   };
   return compositor.DrawFields(
-    { &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle, depth,
-      DepthChange(this->ModelToClip, this->Center, relief * this->Diagonal), look, lookAtTones });
+    { &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle, DepthTolerance(*this),
+      this->NoiseBackEnd, this->Resources.SurfaceDepth, lookAtDepth, look, lookAtTones });
+}
+
+std::string vtkPatternFieldStage::DrawForward(vtkPatternCompositor& compositor) const
+{
+  return compositor.DrawForwardFields({ &this->Surface, this->ModelToClip, this->Viewport,
+    this->Rectangle, DepthTolerance(*this), this->NoiseBackEnd, nullptr, {}, {}, {} });
 }

@@ -232,8 +232,10 @@ std::string vtkPatternCompositor::ForFields(
     if (layer.Painter->NeedsField())
     {
       const std::string own = (layer.Painter->*draw)(scene, layer.Channel);
-      problem =
-        problem.empty() && !own.empty() ? "layer " + std::to_string(i) + ": " + own : problem;
+      if (problem.empty() && !own.empty())
+      {
+        problem.append("layer ").append(std::to_string(i)).append(": ").append(own);
+      }
     }
   }
   return problem;

@@ -51,8 +51,7 @@ public:
   static bool IsAvailable(vtkOpenGLRenderWindow* window, int type);
 
   /// The type that a window draws with where `wanted` is asked for, and what the user should know.
-  /// AUTOMATIC: the one that took the least time for a small noise, measured once for a kind of
-  /// graphics card; never SPLAT, the reference.
+  /// AUTOMATIC: see there; measured once for a kind of graphics card. Never SPLAT, the reference.
   static int Choose(vtkOpenGLRenderWindow* window, int wanted, std::string& note);
 };
 

@@ -18,6 +18,21 @@
 #error "Hachure needs VTK's OpenGL loader: vtk_glad.h or vtk_glew.h"
 #endif
 
+// Compute shaders (OpenGL 4.3), for which VTK has no classes. The loader knows the functions;
+// whether the current context has them is known when the program runs.
+inline bool vtkHachureHasComputeShaders()
+{
+#if defined(GL_COMPUTE_SHADER) && defined(glDispatchCompute)
+  int major = 0;
+  int minor = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  return 10 * major + minor >= 43 && glDispatchCompute && glMemoryBarrier && glBindImageTexture;
+#else
+  return false;
+#endif
+}
+
 // What draws the blocks of one vertex layout, see vtkPatternCompositeMapper.h.
 #if __has_include("vtkCompositePolyDataMapperDelegator.h")
 #include "vtkCompositePolyDataMapper.h"

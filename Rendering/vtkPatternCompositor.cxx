@@ -6,6 +6,7 @@
 #include "Kernels.h"
 #include "Lod.h"
 #include "Mix.h"
+#include "NoiseKernel.h"
 #include "PatchBlend.h"
 #include "PatternColorAt.h"
 #include "PatternCompose.h"
@@ -15,6 +16,7 @@
 #include "PatternPatches.h"
 #include "PatternSeen.h"
 #include "ProcessInks.h"
+#include "Screens.h"
 #include "SurfacePattern.h"
 #include "ToneCurve.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -212,29 +214,43 @@ bool vtkPatternCompositor::NeedsFields() const
 
 std::string vtkPatternCompositor::DrawFields(const vtkPatternLayerPainter::FieldScene& scene)
 {
+  return this->ForFields(&vtkPatternLayerPainter::DrawField, scene);
+}
+
+std::string vtkPatternCompositor::DrawForwardFields(const vtkPatternLayerPainter::FieldScene& scene)
+{
+  return this->ForFields(&vtkPatternLayerPainter::DrawForwardField, scene);
+}
+
+std::string vtkPatternCompositor::ForFields(
+  FieldFunction draw, const vtkPatternLayerPainter::FieldScene& scene)
+{
   std::string problem;
   for (std::size_t i = 0; i < this->Layers.size(); ++i)
   {
     const Drawn& layer = this->Layers[i];
     if (layer.Painter->NeedsField())
     {
-      const std::string own = layer.Painter->DrawField(scene, layer.Channel);
-      problem =
-        problem.empty() && !own.empty() ? "layer " + std::to_string(i) + ": " + own : problem;
+      const std::string own = (layer.Painter->*draw)(scene, layer.Channel);
+      if (problem.empty() && !own.empty())
+      {
+        problem.append("layer ").append(std::to_string(i)).append(": ").append(own);
+      }
     }
   }
   return problem;
 }
 
-void vtkPatternCompositor::UpdateText(bool plainPaper)
+std::string vtkPatternCompositor::Declarations(bool forward) const
 {
   std::string declarations;
-  std::string calls;
   for (std::size_t i = 0; i < this->Layers.size(); ++i)
   {
     const Drawn& layer = this->Layers[i];
-    const std::string number = std::to_string(i);
-    std::string declaration = layer.Painter->GetDeclarations(this->PatchCount > 1) + PatternLayer;
+    const bool patches = this->PatchCount > 1;
+    std::string declaration = (forward ? layer.Painter->GetForwardDeclarations(patches)
+                                       : layer.Painter->GetDeclarations(patches)) +
+      PatternLayer;
     vtkShaderProgram::Substitute(
       declaration, "CURVE", CurvedTone(layer.Layer->GetTone(), layer.Channel));
     vtkShaderProgram::Substitute(declaration, "BLEND", BlendFunction(layer.Layer->GetBlendMode()));
@@ -244,37 +260,53 @@ void vtkPatternCompositor::UpdateText(bool plainPaper)
       !color.empty() ? color
         : surface    ? "hachureSurfaceHere"
                      : "hachureInk@.rgb");
-    vtkShaderProgram::Substitute(declaration, "@", number);
+    vtkShaderProgram::Substitute(declaration, "@", std::to_string(i));
     declarations += declaration;
-    calls += "  color = hachureLayer" + number + "(color, position, tones);\n";
   }
+  return declarations;
+}
+
+std::string vtkPatternCompositor::StackText(bool plainPaper, bool forward)
+{
+  std::string calls;
+  for (std::size_t i = 0; i < this->Layers.size(); ++i)
+  {
+    calls += "  color = hachureLayer" + std::to_string(i) + "(color, position, tones);\n";
+  }
+  const std::string declarations = this->Declarations(forward);
   const bool elsewhere = declarations.find("hachureColorAt") != std::string::npos;
   this->Colors =
     !plainPaper || elsewhere || declarations.find("hachureSurfaceHere") != std::string::npos;
   std::string text = std::string(Ink) + Mix + Lod + PatternField + SurfacePattern + PatchBlend +
     ToneCurve + ProcessInks + PatternCompose;
+  if (forward)
+  {
+    text.insert(0, std::string(Screens) + NoiseKernel); // fields that are made in the shader
+  }
   const vtkPatternAttributes needed = this->GetAttributes();
   vtkShaderProgram::Substitute(text, "//Hachure::Patches::Dec",
     needed.Patches ? std::string(PatternPatches) + PatternPatchRecords : std::string());
   vtkShaderProgram::Substitute(text, "//Hachure::Seen::Dec",
     needed.Has(vtkPatternAttributes::POINT) ? std::string(PatternSeen) : std::string());
-  if (!elsewhere)
-  {
-    vtkShaderProgram::Substitute(text, "//Hachure::ColorAt::Dec", std::string());
-  }
+  vtkShaderProgram::Substitute(text, "//Hachure::ColorAt::Dec",
+    elsewhere ? vtkPattern::ShaderSection(PatternColorAt, forward ? "Forward" : "Images")
+              : std::string());
   vtkShaderProgram::Substitute(text, "LAYERS", std::to_string(this->Layers.size()));
   vtkShaderProgram::Substitute(text, "PAPER", plainPaper ? "hachurePaper" : "hachureSurfaceHere");
   vtkShaderProgram::Substitute(text, "//Hachure::Layers::Dec", declarations);
   vtkShaderProgram::Substitute(text, "  //Hachure::Layers::Impl", calls);
-  this->ShaderText = text;
+  return text;
+}
+
+void vtkPatternCompositor::UpdateText(bool plainPaper)
+{
+  this->ForwardText = this->StackText(plainPaper, true);
+  this->ShaderText = this->StackText(plainPaper, false);
 }
 
 std::string vtkPatternCompositor::GetShaderText(bool forward) const
 {
-  std::string text = this->ShaderText;
-  vtkShaderProgram::Substitute(text, "//Hachure::ColorAt::Dec",
-    vtkPattern::ShaderSection(PatternColorAt, forward ? "Forward" : "Images"));
-  return text;
+  return forward ? this->ForwardText : this->ShaderText;
 }
 
 void vtkPatternCompositor::UpdateTables(vtkOpenGLRenderWindow* window)

@@ -47,6 +47,8 @@ public:
   bool NeedsFields() const;
   /// Returns what is wrong with the data, empty where all is well.
   std::string DrawFields(const vtkPatternLayerPainter::FieldScene& scene);
+  /// The same before a translucent surface is drawn.
+  std::string DrawForwardFields(const vtkPatternLayerPainter::FieldScene& scene);
 
   /// Which octave of a layer's pattern every patch draws, for the draws that follow; layers that
   /// are not there go by the scale.
@@ -74,7 +76,12 @@ private:
     vtkPatternLayerPainter* Painter = nullptr;
     int Channel = -1;
   };
+  using FieldFunction = std::string (vtkPatternLayerPainter::*)(
+    const vtkPatternLayerPainter::FieldScene&, int);
+  std::string ForFields(FieldFunction draw, const vtkPatternLayerPainter::FieldScene& scene);
   void UpdateText(bool plainPaper);
+  std::string Declarations(bool forward) const;
+  std::string StackText(bool plainPaper, bool forward);
   void SetSurfaceUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
   void SetPatchUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
   void UpdateTables(vtkOpenGLRenderWindow* window);
@@ -85,6 +92,7 @@ private:
   std::vector<Drawn> Layers;
   Octaves TimedOctaves;
   std::string ShaderText;
+  std::string ForwardText;
   vtkNew<vtkTextureObject> Tables;
   std::vector<std::pair<vtkPatternLayerPainter*, unsigned long>> TableState;
   std::size_t TableRows = 0;

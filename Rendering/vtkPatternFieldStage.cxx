@@ -75,11 +75,24 @@ FieldScene::Seen LookAtTriangles(const vtkPatternFieldStage& stage)
   }
   return seen;
 }
+
+float DepthPerPixel(const vtkPatternFieldStage& stage)
+{
+  return DepthPerPixel(stage.ModelToClip, stage.Center, stage.Viewport[2]);
+}
 } // namespace
 
 std::string vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
 {
-  const std::vector<float> depth = this->Resources.ReadDepth(this->Window, this->Rectangle);
+  std::vector<float> depth;
+  const auto lookAtDepth = [&]() -> const std::vector<float>&
+  {
+    if (depth.empty())
+    {
+      depth = this->Resources.ReadDepth(this->Window, this->Rectangle);
+    }
+    return depth;
+  };
   FieldScene::Seen seen;
   const auto look = [&]() -> const FieldScene::Seen&
   {
@@ -98,6 +111,13 @@ std::string vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
     }
     return tones;
   };
-  return compositor.DrawFields({ &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle,
-    depth, DepthPerPixel(this->ModelToClip, this->Center, this->Viewport[2]), look, lookAtTones });
+  return compositor.DrawFields(
+    { &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle, DepthPerPixel(*this),
+      this->NoiseBackEnd, this->Resources.SurfaceDepth, lookAtDepth, look, lookAtTones });
+}
+
+std::string vtkPatternFieldStage::DrawForward(vtkPatternCompositor& compositor) const
+{
+  return compositor.DrawForwardFields({ &this->Surface, this->ModelToClip, this->Viewport,
+    this->Rectangle, DepthPerPixel(*this), this->NoiseBackEnd, nullptr, {}, {}, {} });
 }

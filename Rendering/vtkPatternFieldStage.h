@@ -27,10 +27,13 @@ struct vtkPatternFieldStage
   std::array<int, 4> Viewport;  // x, y, width, height in the framebuffer
   std::array<int, 4> Rectangle; // that the attribute stage has drawn
   glm::dvec3 Center;            // of the surface's bounds
+  int NoiseBackEnd;             // as vtkNoiseBackEnd takes it
 
   /// Draws the fields of all layers that need it. Returns what is wrong with the data, empty where
   /// all is well. Throws std::exception with the reason where nothing can be drawn.
   std::string Draw(vtkPatternCompositor& compositor) const;
+  /// The same before a translucent surface is drawn: without attribute images.
+  std::string DrawForward(vtkPatternCompositor& compositor) const;
 };
 
 #endif

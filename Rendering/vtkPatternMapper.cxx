@@ -14,6 +14,7 @@
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
+#include "vtkNoiseBackEnd.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -81,6 +82,7 @@ struct vtkPatternMapper::Internals
   std::string ReportedNote;
   std::string ReportedProblem;
   std::string ReportedField;
+  std::string ReportedBackEnd;
 };
 
 // All that one Render call hands from step to step.
@@ -447,6 +449,20 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 void vtkPatternMapper::RenderForward(Drawing& drawing)
 {
   const std::array<double, 3> nanColor = this->GetNanColor();
+  const glm::dmat4 modelToClip = vtkPattern::DrawnProjection(drawing.Renderer) *
+    vtkPattern::ModelView(drawing.Renderer, drawing.Actor);
+  double bounds[6];
+  this->GetBounds(bounds);
+  if (vtkBoundingBox::IsValid(bounds))
+  {
+    drawing.Rectangle =
+      vtkPattern::CoveredRectangle(bounds, modelToClip, drawing.Viewport.Drawn, 2);
+  }
+  if (!this->DrawFields(drawing, modelToClip, true))
+  {
+    this->Superclass::Render(drawing.Renderer, drawing.Actor);
+    return;
+  }
   vtkPatternShaderInjector* injector = this->Internal->ForwardInjector;
   injector->Configure(vtkPatternShaderInjector::FORWARD, this->Internal->Channels,
     this->Internal->Lights.GetCount(), this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
@@ -497,7 +513,7 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
       this->DrawAttributes(drawing);
     }
     this->UploadPatchRecords(drawing);
-    this->DrawFields(drawing, modelToClip);
+    this->DrawFields(drawing, modelToClip, false);
     const vtkPatternScreenPass::Scene scene = { drawing.Renderer, drawing.Actor, drawing.Window,
       this->Style, drawing.Viewport, drawing.Rectangle, drawing.Track->Frames, this->GetNanColor(),
       drawing.Part.PatchRecords.Shapes.Texture, drawing.Part.PatchRecords.Weights.Texture };
@@ -521,28 +537,41 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
   }
 }
 
-void vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToClip)
+// Returns whether all could be drawn.
+bool vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToClip, bool forward)
 {
   if (!drawing.Part.Compositor.NeedsFields())
   {
-    return;
+    return true;
   }
   double bounds[6];
   this->GetBounds(bounds);
   const vtkBoundingBox box(bounds);
   double center[3];
   box.GetCenter(center);
+  std::string note;
+  const int backEnd =
+    forward ? GATHER : vtkNoiseBackEnd::Choose(drawing.Window, this->NoiseBackEnd, note);
+  if (!note.empty() && note != this->Internal->ReportedBackEnd)
+  {
+    vtkWarningMacro(<< note);
+    this->Internal->ReportedBackEnd = note;
+  }
   try
   {
     this->Internal->NoiseSurface.Update(this->GetInputDataObject(0, 0));
     const vtkPatternFieldStage stage = { drawing.Window, *drawing.Part.Resources,
       this->Internal->NoiseSurface, modelToClip, drawing.Viewport.Drawn, drawing.Rectangle,
-      { center[0], center[1], center[2] } };
-    this->Report(stage.Draw(drawing.Part.Compositor), this->Internal->ReportedField);
+      { center[0], center[1], center[2] }, backEnd };
+    this->Report(
+      forward ? stage.DrawForward(drawing.Part.Compositor) : stage.Draw(drawing.Part.Compositor),
+      this->Internal->ReportedField);
+    return true;
   }
   catch (const std::exception& problem)
   {
     this->Report(problem.what(), this->Internal->ReportedField);
+    return false;
   }
 }
 
@@ -650,5 +679,6 @@ void vtkPatternMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AnimationTime: " << this->AnimationTime << "\n";
   os << indent << "PatchArrayName: " << this->PatchArrayName << "\n";
   os << indent << "VelocityArrayName: " << this->VelocityArrayName << "\n";
+  os << indent << "NoiseBackEnd: " << this->NoiseBackEnd << "\n";
   os << indent << "ReplayStep: " << this->ReplayStep << "\n";
 }

@@ -144,6 +144,32 @@ public:
   ///@}
 
   /**
+   * What sums up the kernels of noise layers (vtkNoiseLayer). CPU: the processors. GATHER: shaders
+   * in which every pixel reads the kernels near it (OpenGL 3.2). COMPUTE: compute shaders, where
+   * the window has OpenGL 4.3. SPLAT: a square per kernel, added up by blending; the reference.
+   * They give the same picture but for rounding. AUTOMATIC: CPU, or GATHER or COMPUTE where one
+   * takes less than half its time for a small noise, measured once for every graphics card. What
+   * the window's OpenGL cannot do is a warning, and drawn as AUTOMATIC; a frame of more kernels
+   * than it can hold is summed by the CPU. On translucent surfaces shaders always gather.
+   */
+  enum NoiseBackEndType
+  {
+    AUTOMATIC = 0,
+    CPU = 1,
+    GATHER = 2,
+    COMPUTE = 3,
+    SPLAT = 4
+  };
+
+  ///@{
+  /**
+   * One of NoiseBackEndType; default AUTOMATIC.
+   */
+  vtkSetClampMacro(NoiseBackEnd, int, AUTOMATIC, SPLAT);
+  vtkGetMacro(NoiseBackEnd, int);
+  ///@}
+
+  /**
    * Forgets how the patterns have moved in a renderer: the next frame anchors them anew.
    */
   virtual void Reanchor(vtkRenderer* renderer);
@@ -224,7 +250,7 @@ private:
   void RenderForward(Drawing& drawing);
   void DrawAttributes(Drawing& drawing);
   void UploadPatchRecords(Drawing& drawing);
-  void DrawFields(Drawing& drawing, const glm::dmat4& modelToClip);
+  bool DrawFields(Drawing& drawing, const glm::dmat4& modelToClip, bool forward);
   bool HasRemainder(vtkActor* actor);
   std::array<double, 3> GetNanColor();
 
@@ -235,6 +261,7 @@ private:
   double ReplayStep = 1.0 / 24.0;
   std::string PatchArrayName;
   std::string VelocityArrayName;
+  int NoiseBackEnd = AUTOMATIC;
   DrawStage Stage = DrawStage::Stock;
   std::unique_ptr<Internals> Internal;
 };

@@ -126,7 +126,6 @@ std::vector<std::int32_t> Read(Target& target, const glm::ivec2& size)
   std::vector<float> texels(4 * pixels);
   target.Framebuffer->Bind(GL_READ_FRAMEBUFFER);
   target.Framebuffer->ActivateReadBuffer(0);
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels.data());
   std::vector<std::int32_t> ids(pixels);
   for (std::size_t i = 0; i < pixels; ++i)

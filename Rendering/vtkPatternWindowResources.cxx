@@ -169,7 +169,7 @@ std::vector<float> vtkPatternWindowResources::ReadDepth(
     static_cast<std::size_t>(rectangle[2]) * static_cast<std::size_t>(rectangle[3]));
   window->GetState()->PushFramebufferBindings();
   this->AttributeFramebuffer->Bind(GL_READ_FRAMEBUFFER);
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  // Whatever the alignment of rows is: those of four-byte numbers have no gaps.
   glReadPixels(rectangle[0], rectangle[1], rectangle[2], rectangle[3], GL_DEPTH_COMPONENT, GL_FLOAT,
     depth.data());
   window->GetState()->PopFramebufferBindings();
@@ -184,7 +184,6 @@ std::vector<std::uint8_t> vtkPatternWindowResources::ReadTones(
   window->GetState()->PushFramebufferBindings();
   this->AttributeFramebuffer->Bind(GL_READ_FRAMEBUFFER);
   this->AttributeFramebuffer->ActivateReadBuffer(vtkPatternAttributes::TONE);
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(rectangle[0], rectangle[1], rectangle[2], rectangle[3], GL_RGBA, GL_UNSIGNED_BYTE,
     tones.data());
   window->GetState()->PopFramebufferBindings();

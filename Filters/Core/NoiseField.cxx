@@ -276,15 +276,14 @@ std::size_t pixelCount(const NoiseSurroundings& surroundings)
   return static_cast<std::size_t>(surroundings.rectangle[2]) * surroundings.rectangle[3];
 }
 
-float lowestVariance(const NoiseFieldOptions& options)
+} // namespace
+
+float noise::lowestVariance(const NoiseFieldOptions& options)
 {
-  const float scale = options.kind == NoiseKind::spot
-    ? noise::SpotTexels(*options.spot).square / meanKernelVariance
-    : 1.0f;
+  const float scale =
+    options.kind == NoiseKind::spot ? SpotTexels(*options.spot).square / meanKernelVariance : 1.0f;
   return std::max(glsl::noiseVarianceFloor * scale, 1e-30f);
 }
-
-} // namespace
 
 void noise::checkNoiseInput(const NoiseSurroundings& surroundings, const NoiseFieldOptions& options)
 {
@@ -319,7 +318,7 @@ NoiseField noiseField(Span<const NoiseKernel> kernels, const NoiseSurroundings& 
     shares = distribution->share;
     shares.push_back(shares.back());
     table = { shares.data(), static_cast<float>(distribution->range),
-      static_cast<float>(distribution->share.size() - 1), lowestVariance(options), 0.0f };
+      static_cast<float>(distribution->share.size() - 1), noise::lowestVariance(options), 0.0f };
   }
   table.leastWidth = static_cast<float>(options.smoothness);
   noise::forTiles(kernels, surroundings, options, 1,

@@ -142,14 +142,6 @@ void findObject(const NoiseSurroundings& surroundings, const Grid& grid, Tile& t
   tile.object = found.value_or(0);
 }
 
-bool isDrawable(const NoiseKernel& kernel)
-{
-  const float sum = kernel.center.x + kernel.center.y + kernel.weight + kernel.phase +
-    kernel.frequency + kernel.bandwidth + kernel.orientation + kernel.depth + kernel.depthSlope.x +
-    kernel.depthSlope.y;
-  return std::isfinite(sum) && kernel.weight > 0.0f && kernel.bandwidth > 0.0f;
-}
-
 // First and last tile in one direction whose pixels, margins included, a kernel reaches. False if
 // there are none.
 template <int size>
@@ -328,6 +320,14 @@ struct Chunk
 };
 
 } // namespace
+
+bool isDrawable(const NoiseKernel& kernel)
+{
+  const float sum = kernel.center.x + kernel.center.y + kernel.weight + kernel.phase +
+    kernel.frequency + kernel.bandwidth + kernel.orientation + kernel.depth + kernel.depthSlope.x +
+    kernel.depthSlope.y;
+  return std::isfinite(sum) && kernel.weight > 0.0f && kernel.bandwidth > 0.0f;
+}
 
 TiledKernels tileKernels(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
   const NoiseFieldOptions& options, int margin)

@@ -99,6 +99,12 @@ struct TileTask
 // Throws std::invalid_argument for what does not fit together.
 void checkNoiseInput(const NoiseSurroundings& surroundings, const NoiseFieldOptions& options);
 
+// Whether a kernel has finite parameters, a weight and an extent.
+bool isDrawable(const NoiseKernel& kernel);
+
+// Variance that is hardly any; of phasors it has no meaning.
+float lowestVariance(const NoiseFieldOptions& options);
+
 // Kernels of the rectangle's tiles, grown by `margin` pixels.
 TiledKernels tileKernels(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
   const NoiseFieldOptions& options, int margin);

@@ -25,6 +25,7 @@ class vtkOpenGLRenderWindow;
 class vtkPatternLayer;
 class vtkPatternNoiseSurface;
 class vtkShaderProgram;
+class vtkTextureObject;
 class vtkWindow;
 
 class vtkPatternLayerPainter
@@ -77,17 +78,19 @@ public:
   {
     vtkPatternNoiseSurface* Surface;
     glm::dmat4 ModelToClip;
-    std::array<int, 4> Viewport;     // x, y, width, height in the framebuffer
-    std::array<int, 4> Rectangle;    // that is drawn
-    const std::vector<float>& Depth; // window depth in the rectangle, 1 where nothing is seen
-    float DepthPerPixel;             // change of it by moving away by the size of a pixel
+    std::array<int, 4> Viewport;  // x, y, width, height in the framebuffer
+    std::array<int, 4> Rectangle; // that is drawn
+    float DepthPerPixel;          // change of the window depth by moving away by a pixel's size
+    int NoiseBackEnd;             // as vtkNoiseBackEnd takes it
+    vtkTextureObject* DepthImage; // window depth of the framebuffer, 1 where nothing is seen
+    std::function<const std::vector<float>&()> LookAtDepth; // the same in the rectangle, read back
     struct Seen
     {
       std::vector<std::int32_t> Triangles; // in the rectangle, -1 where none is seen
       std::vector<std::int32_t> Objects;   // their blocks
     };
     std::function<const Seen&()> LookAtTriangles; // draws the surface once more
-    /// Tones of four channels in the rectangle, 0 to 255.
+    /// Tones of four channels in the rectangle, 0 to 255. Empty function: not known.
     std::function<const std::vector<std::uint8_t>&()> LookAtTones;
   };
   /// Whether DrawField must be called between the surface's drawing and that of the layers.
@@ -95,10 +98,19 @@ public:
   /// channel: of the layer's tone, -1 where it has none. Returns what is wrong with the data, empty
   /// where all is well; a field is drawn all the same.
   virtual std::string DrawField(const FieldScene&, int) { return {}; }
+  /// The same before a translucent surface is drawn, of which nothing was seen yet: its scene has
+  /// neither depth nor tones nor triangles. Until the next Update, the layer is drawn with the
+  /// declarations of GetForwardDeclarations.
+  virtual std::string DrawForwardField(const FieldScene&, int) { return {}; }
 
   /// Declarations with '@' for the layer's number; they define
   /// float hachureCoverage@(vec2 position, float tone). patches: where there are several patches.
   virtual std::string GetDeclarations(bool patches) const = 0;
+  /// The same in the shader of a translucent surface, which knows the fragment's own depth.
+  virtual std::string GetForwardDeclarations(bool patches) const
+  {
+    return this->GetDeclarations(patches);
+  }
   /// Rows of 256 thresholds for the table that all layers share, and a version of their content.
   virtual const std::vector<float>& GetTableRows() const = 0;
   virtual unsigned long GetTableVersion() const = 0;

@@ -4,7 +4,7 @@
 """shaders.py FOLDER [DUMPS]: glslangValidator accepts every shader text below FOLDER.
 
 Kernels are validated at three GLSL versions, alone with the ones before them and all together. Complete
-shaders (*FS.glsl of fragments, *VS.glsl of vertices) get the pieces named by their tags put in, with one
+shaders (*FS.glsl of fragments, *VS.glsl of vertices, *CS.glsl of computations) get the pieces named by their tags put in, with one
 layer of every kind.
 DUMPS: a folder of whole programs as they were drawn (*.vert, *.frag), validated too when it is there.
 """
@@ -61,6 +61,27 @@ def glue_pieces(root):
     return pieces
 
 
+NOISE_TAG = "//Hachure::NoiseSums::Dec"
+
+
+def noise_variants(text, pieces, kernels):
+    """A text with the sums of noises put in, once for every kind; other texts as they are. Layers' texts
+    have the pure functions from elsewhere, and keep their number."""
+    if NOISE_TAG not in text:
+        return [text]
+    parts = sections(pieces["NoiseSums"])
+    layer = "@" in text
+    share = "NoShares" if layer else "Shares"
+    texts = []
+    for term, field in (("Gabor", "Table"), ("Phasor", "Phase"), ("Spot", "Table")):
+        names = ["Kernels", share, "Numbers", term, "Adding", "Lists", "Sum", field]
+        sums = "".join(parts[name] for name in names)
+        if not layer:
+            sums = (kernels + sums + parts["Seen"]).replace("@", "")
+        texts.append(text.replace(NOISE_TAG, sums).replace("NOISEROW", "1024"))
+    return texts
+
+
 def layer_texts(pieces):
     """The text of every kind of layer. Of one that has sections the first goes with each other one, bare
     and with all options: those whose sections are for tags in it, as OptionDec and OptionImpl."""
@@ -70,7 +91,7 @@ def layer_texts(pieces):
             continue
         parts = sections(pieces[name])
         if not parts:
-            texts.append(pieces[name])
+            texts += noise_variants(pieces[name], pieces, "")
             continue
         base, *others = parts
         options = [other for other in others if other.endswith(("Dec", "Impl"))]
@@ -149,11 +170,11 @@ def main(root, dumps):
                 "%s at %d" % (path, version), head + "\n".join(texts[:count]) + main_function
             )
     pieces = glue_pieces(root)
-    for name, text in pieces.items():
-        if name.endswith("FS"):
-            good &= validate(name + ".glsl", assemble(text, "\n".join(texts), pieces))
-        if name.endswith("VS"):
-            good &= validate(name + ".glsl", assemble(text, "\n".join(texts), pieces), "vert")
+    kernels = "\n".join(texts)
+    for name, piece in pieces.items():
+        stage = {"FS": "frag", "VS": "vert", "CS": "comp"}.get(name[-2:])
+        for text in noise_variants(piece, pieces, kernels) if stage else ():
+            good &= validate(name + ".glsl", assemble(text, kernels, pieces), stage)
     if dumps and os.path.isdir(dumps):
         for name in sorted(os.listdir(dumps)):
             stage = name.rsplit(".", 1)[-1]

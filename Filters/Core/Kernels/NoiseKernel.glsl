@@ -36,13 +36,18 @@ float noiseEnvelope(float distanceSquared, float bandwidth)
 }
 
 // Kernel of weight 1 at an offset from its centre: envelope times cosine and sine of the wave. The
-// first is the Gabor kernel.
-vec2 phasorKernel(vec2 offset, float frequency, float bandwidth, float orientation, float phase)
+// first is the Gabor kernel. direction: of the wave vector, a unit vector.
+vec2 phasorAlong(vec2 offset, vec2 direction, float frequency, float bandwidth, float phase)
 {
-  float along = offset.x * cos(orientation) + offset.y * sin(orientation);
-  float cycles = frequency * along;
+  float cycles = frequency * (offset.x * direction.x + offset.y * direction.y);
   float angle = 2.0f * screenPi * (cycles - floor(cycles)) + phase;
   return noiseEnvelope(dot(offset, offset), bandwidth) * vec2(cos(angle), sin(angle));
+}
+
+vec2 phasorKernel(vec2 offset, float frequency, float bandwidth, float orientation, float phase)
+{
+  return phasorAlong(
+    offset, vec2(cos(orientation), sin(orientation)), frequency, bandwidth, phase);
 }
 
 float gaborKernel(vec2 offset, float frequency, float bandwidth, float orientation, float phase)
@@ -63,6 +68,61 @@ float noiseDepthWeight(float deviation, float tolerance)
 {
   float x = clamp(2.0f - abs(deviation) / max(tolerance, 1.0e-30f), 0.0f, 1.0f);
   return x * x * (3.0f - 2.0f * x);
+}
+
+// The same for a pixel at an offset from the centre of a kernel's plane: its depth there, and the
+// change of that per pixel (yz).
+float noisePlaneWeight(vec2 offset, float depth, vec3 plane, float tolerance)
+{
+  vec2 slope = vec2(plane.y, plane.z);
+  float deviation = depth - plane.x - dot(offset, slope);
+  return noiseDepthWeight(
+    deviation, noiseDepthTolerance(length(offset), length(slope), tolerance));
+}
+
+// One kernel as shaders hold it.
+struct PackedKernel
+{
+  vec4 place; // centre (xy), bandwidth, weight
+  vec4 wave;  // direction of the wave vector (xy), frequency, phase
+  vec4 plane; // depth at the centre, its change per pixel (yz), radius
+};
+
+bool insideKernel(vec4 place, vec2 offset)
+{
+  return screenPi * place.z * place.z * dot(offset, offset) <= noiseRimExponent;
+}
+
+// What a kernel adds to the sums of a pixel of which `share` counts. Gabor and spot: to the noise
+// and to its expected variance; phasor: to real and imaginary part.
+vec2 phasorTerm(PackedKernel kernel, vec2 offset, float share)
+{
+  return share * kernel.place.w *
+    phasorAlong(
+      offset, vec2(kernel.wave.x, kernel.wave.y), kernel.wave.z, kernel.place.z, kernel.wave.w);
+}
+
+vec2 gaborTerm(PackedKernel kernel, vec2 offset, float share)
+{
+  vec2 phasor = phasorTerm(kernel, offset, share);
+  return vec2(phasor.x, 0.5f * dot(phasor, phasor));
+}
+
+// spot: the value of the spot there.
+vec2 spotTerm(PackedKernel kernel, float spot, float share)
+{
+  float value = share * kernel.place.w * (cos(kernel.wave.w) < 0.0f ? -spot : spot);
+  return vec2(value, value * value);
+}
+
+// Where in a spot of so many texels an offset is: whole numbers at their centres, from 1 on, since
+// one more lies around them.
+vec2 spotTexel(PackedKernel kernel, vec2 offset, vec2 texels)
+{
+  vec2 along = vec2(kernel.wave.x, kernel.wave.y);
+  vec2 place = vec2(dot(offset, along), along.x * offset.y - along.y * offset.x);
+  vec2 texel = 0.5f * texels * (place / max(kernel.plane.w, 1.0e-30f)) + 0.5f * texels + 0.5f;
+  return clamp(texel, vec2(0.0f), texels + 0.999f);
 }
 
 // Weight of a pixel of a kernel's disc in the share of it that is seen. Close to the envelope, but
@@ -97,6 +157,12 @@ float noiseTablePosition(float value, float range, float steps)
 float noiseFlatWidth(float variance, float lowest)
 {
   return lowest / (max(variance, 0.0f) + lowest);
+}
+
+// Width of a field from its change along x and y, not below that of a flat one.
+float noiseFieldWidth(vec2 change, float flatWidth, float least)
+{
+  return max(min(max(length(change), flatWidth + 1.0e-6f), 1.0f), least);
 }
 
 // Phase of a sum of phasors, 0 to 1 over half a turn to both sides: uniform. 0.5 where there is

@@ -42,7 +42,7 @@ vtkNoiseControl::vtkNoiseControl(
   {
     this->Numbers = this->Find("control ", layer->GetControlArrayName(), 1);
   }
-  if (layer->GetControl() == vtkNoiseLayer::TONE && channel >= 0)
+  if (layer->GetControl() == vtkNoiseLayer::TONE && channel >= 0 && scene.LookAtTones)
   {
     this->Tones = &scene.LookAtTones();
   }
@@ -122,7 +122,8 @@ double vtkNoiseControl::ToneAt(const hachure::NoisePoint& point) const
   vtkPatternTone* tone = this->Layer->GetTone();
   if (!this->Tones)
   {
-    return vtkPattern::CurvedTone(tone, tone->GetConstant());
+    return this->Channel < 0 ? vtkPattern::CurvedTone(tone, tone->GetConstant())
+                             : std::numeric_limits<double>::quiet_NaN();
   }
   const hachure::TriangleMesh mesh = this->Scene.Surface->Mesh();
   const glm::ivec3 corners = mesh.triangles[static_cast<std::size_t>(point.triangle)];

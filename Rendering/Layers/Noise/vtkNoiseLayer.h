@@ -14,7 +14,9 @@
  * that ink equals the tone, as for every other layer. The noise of a frame depends on surface,
  * camera and parameters alone, not on the frames before.
  *
- * On translucent surfaces the layer is not drawn.
+ * On translucent surfaces every fragment sums up the kernels on its own plane, so that front and
+ * back have their own noise. Of the tests only DepthTest counts there, kernels do not fade where
+ * something hides them, and the control TONE changes nothing where the tone is not constant.
  *
  * @sa vtkNoiseKernelPoints vtkImagePatternLayer
  */

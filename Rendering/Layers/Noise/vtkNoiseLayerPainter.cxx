@@ -5,12 +5,14 @@
 #include "vtkHachureCompatibility.h"
 
 #include "Kernels.h"
+#include "NoiseForwardLayer.h"
 #include "NoiseLayer.h"
 #include "NoiseVisibility.h"
 #include "PatternImageFile.h"
 #include "vtkNoiseControl.h"
 #include "vtkNoiseLayer.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPatternMapper.h"
 #include "vtkPatternNoiseSurface.h"
 #include "vtkShaderProgram.h"
 
@@ -25,12 +27,6 @@ namespace
 {
 constexpr double radiansPerDegree = 3.14159265358979323846 / 180.0;
 constexpr double rightAngle = 90.0;
-
-std::uint16_t Fraction(float value)
-{
-  constexpr float largest = 65535.0f;
-  return static_cast<std::uint16_t>(std::lround(largest * std::clamp(value, 0.0f, 1.0f)));
-}
 
 // A fibre along x, in the square from -1 to 1.
 hachure::NoiseSpot Fibre()
@@ -79,6 +75,7 @@ bool vtkNoiseLayerPainter::Update(
   this->Period = this->Layer->GetSize() * unit * scene.PixelsPerLogical;
   this->UpdateThresholds();
   this->Rectangle = { 0, 0, 0, 0 };
+  this->Forward = false;
   return true;
 }
 
@@ -176,26 +173,32 @@ std::vector<hachure::NoiseKernel> vtkNoiseLayerPainter::Kernels(
     : surface.Points(seed).kernels(view, options);
 }
 
-hachure::NoiseSurroundings vtkNoiseLayerPainter::Surroundings(const FieldScene& scene) const
+float vtkNoiseLayerPainter::DepthTolerance(const FieldScene& scene) const
 {
-  hachure::NoiseSurroundings around;
-  around.rectangle = scene.Rectangle;
-  around.depth = scene.Depth;
   const auto radius = static_cast<float>(this->Layer->GetRegularity() * this->Period);
-  around.depthTolerance = hachure::noiseDepthToleranceFor(radius, scene.DepthPerPixel);
-  around.depthTest = this->Layer->GetDepthTest();
-  around.everyPixel = this->FinalQuality;
-  around.partialVisibility = this->Layer->GetPartialVisibility();
+  return hachure::noiseDepthToleranceFor(radius, scene.DepthPerPixel);
+}
+
+bool vtkNoiseLayerPainter::DrawWith(
+  int type, const FieldScene& scene, hachure::Span<const hachure::NoiseKernel> kernels)
+{
+  std::unique_ptr<vtkNoiseBackEnd>& backEnd = this->BackEnds[type];
+  if (!backEnd)
+  {
+    backEnd = vtkNoiseBackEnd::New(type);
+  }
+  vtkNoiseBackEnd::Task task = { kernels, scene.Rectangle, scene.DepthImage, scene.LookAtDepth, {},
+    {}, this->DepthTolerance(scene), this->Layer->GetDepthTest(),
+    this->Layer->GetPartialVisibility(), this->FinalQuality, this->FieldOptions() };
   const bool objects = this->Layer->GetObjectTest() && scene.Surface->HasSeveralBlocks();
   const bool triangles = this->Layer->GetTriangleTest();
   if (objects || triangles)
   {
     const FieldScene::Seen& seen = scene.LookAtTriangles();
-    around.objects = objects ? hachure::Span<const std::int32_t>(seen.Objects) : around.objects;
-    around.triangles =
-      triangles ? hachure::Span<const std::int32_t>(seen.Triangles) : around.triangles;
+    task.Objects = objects ? hachure::Span<const std::int32_t>(seen.Objects) : task.Objects;
+    task.Triangles = triangles ? hachure::Span<const std::int32_t>(seen.Triangles) : task.Triangles;
   }
-  return around;
+  return backEnd->Draw(this->Window, task, this->Texture);
 }
 
 std::string vtkNoiseLayerPainter::DrawField(const FieldScene& scene, int channel)
@@ -204,34 +207,68 @@ std::string vtkNoiseLayerPainter::DrawField(const FieldScene& scene, int channel
   hachure::NoiseKernelOptions options = this->KernelOptions();
   control.Apply(options);
   const std::vector<hachure::NoiseKernel> kernels = this->Kernels(scene, options);
-  this->Upload(
-    hachure::noiseField(kernels, this->Surroundings(scene), this->FieldOptions()), scene.Rectangle);
+  // A graphics card may not take so many kernels; the processors always do.
+  const int backEnd = this->FinalQuality ? int(vtkPatternMapper::CPU) : scene.NoiseBackEnd;
+  if (!this->DrawWith(backEnd, scene, kernels))
+  {
+    this->DrawWith(vtkPatternMapper::CPU, scene, kernels);
+  }
+  this->Rectangle = scene.Rectangle;
   return control.GetProblem();
 }
 
-// As the tiles of image patterns are stored: 32 bits a texel are fast in software OpenGL.
-void vtkNoiseLayerPainter::Upload(
-  const hachure::NoiseField& field, const std::array<int, 4>& rectangle)
+std::string vtkNoiseLayerPainter::GetForwardDeclarations(bool) const
 {
-  std::vector<std::uint16_t> texels(2 * field.value.size());
-  for (std::size_t i = 0; i < field.value.size(); ++i)
+  return vtkNoiseKernelBuffers::Text(
+    NoiseForwardLayer, vtkNoiseKernelBuffers::Stage::Forward, this->FieldOptions().kind);
+}
+
+bool vtkNoiseLayerPainter::ForwardState::operator==(const ForwardState& other) const
+{
+  return this->ModelToClip == other.ModelToClip && this->Viewport == other.Viewport &&
+    this->Rectangle == other.Rectangle && this->Period == other.Period &&
+    this->SurfaceVersion == other.SurfaceVersion && this->LayerTime == other.LayerTime;
+}
+
+std::string vtkNoiseLayerPainter::DrawForwardField(const FieldScene& scene, int channel)
+{
+  this->Forward = true;
+  const ForwardState state = { scene.ModelToClip, scene.Viewport, scene.Rectangle, this->Period,
+    scene.Surface->GetVersion(), this->Layer->GetMTime() };
+  // Depth peeling draws the surface many times.
+  if (state == this->ForwardDrawn && this->ForwardKernels.IsUsable())
   {
-    texels[2 * i] = Fraction(field.value[i]);
-    texels[2 * i + 1] = Fraction(field.width[i] / hachure::glsl::tileGradientRange);
+    return this->ForwardProblem;
   }
-  this->Texture->SetContext(this->Window);
-  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  this->Texture->Create2DFromRaw(static_cast<unsigned int>(rectangle[2]),
-    static_cast<unsigned int>(rectangle[3]), 2, VTK_UNSIGNED_SHORT, texels.data());
-  this->Rectangle = rectangle;
+  const vtkNoiseControl control(this->Layer, scene, channel);
+  hachure::NoiseKernelOptions options = this->KernelOptions();
+  control.Apply(options);
+  std::string problem = control.GetProblem();
+  vtkNoiseKernelBuffers::Content content = { {}, scene.Rectangle, this->DepthTolerance(scene),
+    this->Layer->GetDepthTest(), false, false, false, this->FieldOptions() };
+  const std::vector<hachure::NoiseKernel> kernels = this->Kernels(scene, options);
+  content.Kernels = kernels;
+  if (!this->ForwardKernels.Upload(this->Window, content))
+  {
+    content.Kernels = {};
+    this->ForwardKernels.Upload(this->Window, content);
+    problem = "the window's OpenGL cannot hold the kernels of translucent surfaces; they are drawn "
+              "in even tones";
+  }
+  this->ForwardDrawn = state;
+  this->ForwardProblem = problem;
+  return problem;
 }
 
 void vtkNoiseLayerPainter::SetUniforms(vtkShaderProgram* program, const std::string& number,
   const hachure::PatternFrame&, const hachure::TimedOctave*, const TablePart& rows)
 {
-  const bool drawn = this->Rectangle[2] > 0 && this->Texture->GetHandle();
-  if (drawn)
+  if (this->Forward)
+  {
+    this->ForwardKernels.SetUniforms(program, number);
+  }
+  const bool drawn = this->Forward || (this->Rectangle[2] > 0 && this->Texture->GetHandle());
+  if (drawn && !this->Forward)
   {
     program->SetUniformi(("hachureNoise" + number).c_str(), this->Texture->GetTextureUnit());
   }
@@ -252,7 +289,11 @@ std::array<glm::vec4, 2> vtkNoiseLayerPainter::GetPlacement(
 
 void vtkNoiseLayerPainter::Activate()
 {
-  if (this->Rectangle[2] > 0)
+  if (this->Forward)
+  {
+    this->ForwardKernels.Activate();
+  }
+  else if (this->Rectangle[2] > 0)
   {
     this->Texture->Activate();
   }
@@ -260,7 +301,11 @@ void vtkNoiseLayerPainter::Activate()
 
 void vtkNoiseLayerPainter::Deactivate()
 {
-  if (this->Rectangle[2] > 0)
+  if (this->Forward)
+  {
+    this->ForwardKernels.Deactivate();
+  }
+  else if (this->Rectangle[2] > 0)
   {
     this->Texture->Deactivate();
   }
@@ -268,6 +313,13 @@ void vtkNoiseLayerPainter::Deactivate()
 
 void vtkNoiseLayerPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
+  for (auto& backEnd : this->BackEnds)
+  {
+    backEnd.second->ReleaseGraphicsResources(window);
+  }
+  this->BackEnds.clear();
+  this->ForwardKernels.ReleaseGraphicsResources(window);
   this->Texture->ReleaseGraphicsResources(window);
   this->Rectangle = { 0, 0, 0, 0 };
+  this->Forward = false;
 }

@@ -9,10 +9,15 @@
 #include "NoiseField.h"
 #include "NoiseSurface.h"
 #include "vtkNew.h"
+#include "vtkNoiseBackEnd.h"
+#include "vtkNoiseKernelBuffers.h"
 #include "vtkPatternLayerPainter.h"
 #include "vtkTextureObject.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
+
+#include <map>
+#include <memory>
 
 class vtkNoiseLayer;
 
@@ -23,10 +28,12 @@ public:
 
   bool Update(vtkOpenGLRenderWindow* window, const Scene& scene, std::string& error) override;
   std::string GetDeclarations(bool patches) const override;
+  std::string GetForwardDeclarations(bool patches) const override;
   const std::vector<float>& GetTableRows() const override { return this->Thresholds; }
   unsigned long GetTableVersion() const override { return this->TableVersion; }
   bool NeedsField() const override { return true; }
   std::string DrawField(const FieldScene& scene, int channel) override;
+  std::string DrawForwardField(const FieldScene& scene, int channel) override;
   void SetUniforms(vtkShaderProgram* program, const std::string& number,
     const hachure::PatternFrame& frame, const hachure::TimedOctave* octave,
     const TablePart& rows) override;
@@ -43,8 +50,9 @@ private:
   hachure::NoiseKernelOptions KernelOptions() const;
   std::vector<hachure::NoiseKernel> Kernels(
     const FieldScene& scene, const hachure::NoiseKernelOptions& options) const;
-  hachure::NoiseSurroundings Surroundings(const FieldScene& scene) const;
-  void Upload(const hachure::NoiseField& field, const std::array<int, 4>& rectangle);
+  float DepthTolerance(const FieldScene& scene) const;
+  bool DrawWith(
+    int type, const FieldScene& scene, hachure::Span<const hachure::NoiseKernel> kernels);
 
   vtkWeakPointer<vtkNoiseLayer> Layer;
   vtkOpenGLRenderWindow* Window = nullptr;
@@ -57,6 +65,23 @@ private:
   vtkMTimeType SpotTime = 0;
   vtkNew<vtkTextureObject> Texture;
   std::array<int, 4> Rectangle = { 0, 0, 0, 0 }; // that the texture is of; empty: of nothing
+  std::map<int, std::unique_ptr<vtkNoiseBackEnd>> BackEnds;
+
+  // What the kernels of a translucent surface depend on.
+  struct ForwardState
+  {
+    glm::dmat4 ModelToClip{ 0.0 };
+    std::array<int, 4> Viewport;
+    std::array<int, 4> Rectangle;
+    double Period;
+    unsigned long SurfaceVersion;
+    vtkMTimeType LayerTime;
+    bool operator==(const ForwardState& other) const;
+  };
+  bool Forward = false; // such a surface is drawn now
+  vtkNoiseKernelBuffers ForwardKernels;
+  ForwardState ForwardDrawn{};
+  std::string ForwardProblem;
 };
 
 #endif

@@ -18,6 +18,7 @@ void vtkPatternNoiseSurface::Update(vtkDataObject* input)
   {
     this->Input = input;
     this->InputTime = input->GetMTime();
+    ++this->Version;
     this->Arrays.clear();
   }
   const vtkPatternGeometry::Change change = this->Geometry.Update(input);
@@ -30,6 +31,7 @@ void vtkPatternNoiseSurface::Update(vtkDataObject* input)
   }
   if (change != vtkPatternGeometry::NOTHING)
   {
+    ++this->Version;
     this->Move();
   }
 }

@@ -35,6 +35,8 @@ public:
   const std::vector<std::int32_t>& Objects() const { return this->Surface.blockIndices; }
   /// Throws std::invalid_argument as vtkPatternSurfaceArray does. Until the next update.
   const vtkPatternSurfaceArray& Array(const std::string& name, int components);
+  /// Another one whenever the surface or its data has changed.
+  unsigned long GetVersion() const { return this->Version; }
   bool HasSeveralBlocks() const { return this->Surface.blocks.size() > 1; }
 
 private:
@@ -48,6 +50,7 @@ private:
   std::map<std::uint32_t, hachure::NoiseSurface> Seeds;
   vtkDataObject* Input = nullptr; // of the last update
   std::uint64_t InputTime = 0;
+  unsigned long Version = 0;
   std::map<std::pair<std::string, int>, vtkPatternSurfaceArray> Arrays;
 };
 

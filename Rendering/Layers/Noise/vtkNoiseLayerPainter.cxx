@@ -5,12 +5,14 @@
 #include "vtkHachureCompatibility.h"
 
 #include "Kernels.h"
+#include "NoiseInkSums.h"
 #include "NoiseLayer.h"
 #include "PatternImageFile.h"
 #include "vtkNoiseControl.h"
 #include "vtkNoiseLayer.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternNoiseSurface.h"
+#include "vtkPatternShaderText.h"
 #include "vtkShaderProgram.h"
 
 #include <glm/gtc/constants.hpp>
@@ -59,13 +61,16 @@ vtkNoiseLayerPainter::vtkNoiseLayerPainter(vtkNoiseLayer* layer)
 
 std::string vtkNoiseLayerPainter::GetDeclarations(bool) const
 {
-  return NoiseLayer;
+  const bool image = this->Layer && this->Layer->GetThresholdImage();
+  return vtkPattern::ShaderSection(NoiseLayer, "Field") +
+    vtkPattern::ShaderSection(NoiseLayer, image ? "ThresholdImage" : "Threshold");
 }
 
 bool vtkNoiseLayerPainter::Update(
   vtkOpenGLRenderWindow* window, const Scene& scene, std::string& error)
 {
-  if (!this->Layer || !this->UpdateSpot(error))
+  this->Window = window;
+  if (!this->Layer || !this->UpdateSpot(error) || !this->UpdateInkSums(error))
   {
     return false;
   }
@@ -73,7 +78,6 @@ bool vtkNoiseLayerPainter::Update(
   const double unit = this->Layer->GetSizeUnit() == vtkPatternLayer::MILLIMETRES
     ? scene.DotsPerInch / millimetresPerInch
     : 1.0;
-  this->Window = window;
   this->Period = this->Layer->GetSize() * unit * scene.PixelsPerLogical;
   this->UpdateThresholds();
   this->Rectangle = { 0, 0, 0, 0 };
@@ -106,6 +110,34 @@ bool vtkNoiseLayerPainter::UpdateSpot(std::string& error)
   return true;
 }
 
+bool vtkNoiseLayerPainter::UpdateInkSums(std::string& error)
+{
+  vtkImageData* image = this->Layer->GetThresholdImage();
+  if (!image || (this->InkSumsTime == this->Layer->GetMTime() && this->InkSums->GetHandle()))
+  {
+    return true;
+  }
+  try
+  {
+    hachure::NoiseInkSums sums = hachure::noiseInkSums(image);
+    this->InkSums->ReleaseGraphicsResources(this->Window);
+    this->InkSums->SetContext(this->Window);
+    this->InkSums->SetWrapS(vtkTextureObject::ClampToEdge);
+    this->InkSums->SetWrapT(vtkTextureObject::ClampToEdge);
+    this->InkSums->SetMinificationFilter(vtkTextureObject::Linear);
+    this->InkSums->SetMagnificationFilter(vtkTextureObject::Linear);
+    this->InkSums->Create2DFromRaw(static_cast<unsigned int>(sums.columns),
+      static_cast<unsigned int>(sums.rows), 1, VTK_FLOAT, sums.values.data());
+  }
+  catch (const std::exception& problem)
+  {
+    error = std::string("threshold ") + problem.what();
+    return false;
+  }
+  this->InkSumsTime = this->Layer->GetMTime();
+  return true;
+}
+
 hachure::NoiseFieldOptions vtkNoiseLayerPainter::FieldOptions() const
 {
   hachure::NoiseFieldOptions options;
@@ -134,7 +166,8 @@ hachure::NoiseKernelOptions vtkNoiseLayerPainter::KernelOptions() const
   options.frequency = 1.0 / this->Period;
   // Strokes lie across the waves; a spot is turned itself.
   const bool waves = this->Layer->GetKind() != vtkNoiseLayer::SPOT;
-  options.orientation = (this->Layer->GetAngle() + (waves ? rightAngle : 0.0)) * radiansPerDegree;
+  options.lineAngle = (waves ? rightAngle : 0.0) * radiansPerDegree;
+  options.orientation = this->Layer->GetAngle() * radiansPerDegree + options.lineAngle;
   options.spread = this->Layer->GetSpread() * radiansPerDegree;
   options.fade = this->Layer->GetFade();
   options.turning = this->Layer->GetSpread() >= rightAngle;
@@ -151,7 +184,8 @@ void vtkNoiseLayerPainter::UpdateThresholds()
   options.radius = kernels.radius;
   options.spread = kernels.spread;
   options.seed = this->Layer->GetSeed();
-  std::vector<float> thresholds = hachure::noiseThresholds(options);
+  std::vector<float> thresholds =
+    this->Layer->GetThresholdImage() ? std::vector<float>() : hachure::noiseThresholds(options);
   if (thresholds != this->Thresholds)
   {
     this->Thresholds = std::move(thresholds);
@@ -231,6 +265,10 @@ void vtkNoiseLayerPainter::SetUniforms(vtkShaderProgram* program, const std::str
   {
     program->SetUniformi(("hachureNoise" + number).c_str(), this->Texture->GetTextureUnit());
   }
+  if (this->Layer->GetThresholdImage())
+  {
+    program->SetUniformi(("hachureInkSums" + number).c_str(), this->InkSums->GetTextureUnit());
+  }
   constexpr double middle = 0.5; // of a row
   const float row = static_cast<float>(
     (static_cast<double>(rows.First) + middle) / static_cast<double>(rows.RowsOfAll));
@@ -252,6 +290,10 @@ void vtkNoiseLayerPainter::Activate()
   {
     this->Texture->Activate();
   }
+  if (this->Layer && this->Layer->GetThresholdImage())
+  {
+    this->InkSums->Activate();
+  }
 }
 
 void vtkNoiseLayerPainter::Deactivate()
@@ -260,10 +302,15 @@ void vtkNoiseLayerPainter::Deactivate()
   {
     this->Texture->Deactivate();
   }
+  if (this->Layer && this->Layer->GetThresholdImage())
+  {
+    this->InkSums->Deactivate();
+  }
 }
 
 void vtkNoiseLayerPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
+  this->InkSums->ReleaseGraphicsResources(window);
   this->Rectangle = { 0, 0, 0, 0 };
 }

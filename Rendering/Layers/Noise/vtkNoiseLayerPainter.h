@@ -38,6 +38,7 @@ public:
 
 private:
   bool UpdateSpot(std::string& error);
+  bool UpdateInkSums(std::string& error);
   void UpdateThresholds();
   hachure::NoiseFieldOptions FieldOptions() const;
   hachure::NoiseKernelOptions KernelOptions() const;
@@ -54,6 +55,8 @@ private:
   unsigned long TableVersion = 0;
   hachure::NoiseSpot Spot;
   vtkMTimeType SpotTime = 0;
+  vtkNew<vtkTextureObject> InkSums; // of the layer's ThresholdImage
+  vtkMTimeType InkSumsTime = 0;
   vtkNew<vtkTextureObject> Texture;
   std::array<int, 4> Rectangle = { 0, 0, 0, 0 }; // that the texture is of; empty: of nothing
 };

@@ -62,7 +62,11 @@ PYTHONPATH="$package" /usr/bin/python3 Examples/Python/first_picture.py "$galler
 echo "$gallery/first-picture.png"
 
 # The figures of the paper; some print how far patterns slide.
-for figure in travelling patches elongated painting table skulls landscape; do
+for figure in travelling patches elongated painting table skulls landscape engraving; do
   PYTHONPATH="$package" /usr/bin/python3 "Examples/Figures/$figure.py" "$gallery/$figure.png"
   echo "$gallery/$figure.png"
+done
+for row in 0 1 2; do
+  PYTHONPATH="$package" /usr/bin/python3 Examples/Figures/noise_styles.py "$gallery/noise_styles-$row.png" "$row"
+  echo "$gallery/noise_styles-$row.png"
 done

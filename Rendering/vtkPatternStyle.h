@@ -217,8 +217,8 @@ public:
   ///@}
 
   ///@{
-  /** The built-in styles, in their stable order: hatch, cross-hatch, halftone. The name is null
-   * for an index that does not exist. */
+  /** The built-in styles, in their stable order; Presets/README.md tells what they look like. The
+   * name is null for an index that does not exist. */
   static int GetNumberOfPresets();
   static const char* GetPresetName(int index);
   ///@}

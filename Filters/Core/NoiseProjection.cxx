@@ -268,7 +268,8 @@ double NoiseProjection::orientation(const NoiseImage& image, const glm::dvec3& d
     glm::dvec2(along(this->rowX, direction) - image.place.x * w,
       along(this->rowY, direction) - image.place.y * w);
   const bool isSeen = std::isfinite(lines.x + lines.y) && lines != glm::dvec2(0.0);
-  return isSeen ? std::atan2(lines.y, lines.x) + 0.5 * pi : this->options.orientation + image.turn;
+  return isSeen ? std::atan2(lines.y, lines.x) + this->options.lineAngle
+                : this->options.orientation + image.turn;
 }
 
 bool NoiseProjection::placeKernel(const NoiseImage& image, const NoisePoint& point,

@@ -56,6 +56,9 @@ struct NoiseKernelOptions
   // pi / 2: 0 anisotropic, pi / 2 isotropic.
   double orientation = 0.0;
   double spread = 0.0;
+  // From the lines of a control's direction to the orientation: those of waves lie across the wave
+  // vector, those of a spot along its x axis (0).
+  double lineAngle = 0.5 * 3.14159265358979323846;
   // Whether directions turn with the surface around the line of sight, so that kernels keep their
   // look while it rolls. For a spread of pi / 2, where no direction is special, that alone differs.
   bool turning = false;
@@ -68,7 +71,7 @@ struct NoiseKernelOptions
   {
     double frequency = 1.0;      // factor of it; above 0
     double bandwidth = 1.0;      // factor of it; above 0, below 1 makes kernels larger
-    glm::dvec3 direction{ 0.0 }; // model space: of the lines, across the wave vector; 0: as above
+    glm::dvec3 direction{ 0.0 }; // model space: of the lines; 0: as above
   };
   std::function<Control(const NoisePoint&)> control;
   // Factors of the bandwidth are clamped to this range, lowest and highest, which must hold 1:

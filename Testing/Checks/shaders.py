@@ -91,7 +91,9 @@ def layer_texts(pieces):
             continue
         parts = sections(pieces[name])
         if not parts:
-            texts += noise_variants(pieces[name], pieces, "")
+            variants = noise_variants(pieces[name], pieces, "")
+            ink = sections(pieces["NoiseLayer"])["Threshold"] if NOISE_TAG in pieces[name] else ""
+            texts += [variant + ink for variant in variants]
             continue
         base, *others = parts
         options = [other for other in others if other.endswith(("Dec", "Impl"))]

@@ -284,7 +284,10 @@ def test_files(folder):
 def test_presets():
     count = hachure.vtkPatternStyle.GetNumberOfPresets()
     names = [hachure.vtkPatternStyle.GetPresetName(i) for i in range(count)]
-    assert names == ["hatch", "cross-hatch", "halftone", "cmyk", "painterly", "paper"], names
+    assert names == [
+        "hatch", "cross-hatch", "halftone", "cmyk", "painterly", "paper", "gabor", "phasor", "spot",
+        "noise-stipple", "noise-hatch", "noise-cross-hatch", "graphite", "ink", "watercolour",
+        "felt-tip", "brush", "engraving"], names
     assert hachure.vtkPatternStyle.GetPresetName(count) is None
     assert hachure.vtkPatternStyle.GetDefaultPresetName() in names
     layer = hachure.vtkImagePatternLayer
@@ -295,7 +298,11 @@ def test_presets():
         style = new_style()
         assert style.LoadPreset(name), errors
         layer = style.GetLayer(0)
-        assert layer.GetPattern() == patterns[i] and style.GetOutline() == (name != "painterly")
+        if i < len(patterns):
+            assert layer.GetPattern() == patterns[i], name
+        else:
+            assert layer.GetTypeName() == "noise", name
+        assert style.GetOutline() == (name not in ("painterly", "brush")), name
         texts.add(style.ToJson())
     assert len(texts) == len(names)
     expect_error(style.LoadPreset("dots"), 'unknown style "dots"', "hatch, cross-hatch, halftone, cmyk")

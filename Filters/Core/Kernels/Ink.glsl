@@ -26,3 +26,10 @@ float inkCoverage(float screen, float threshold, float w)
 {
   return clamp((threshold - screen) / max(w, 1.0e-6f) + 0.5f, 0.0f, 1.0f);
 }
+
+// Values of a screen, lowest and highest, that a pixel averages at whose centre it has this value and
+// across which it changes by w, above 0.
+vec2 screenInterval(float screen, float w)
+{
+  return vec2(max(screen - 0.5f * w, 0.0f), min(screen + 0.5f * w, 1.0f));
+}

@@ -99,6 +99,54 @@ vtkImageData* vtkNoiseLayer::GetImage()
 }
 
 //------------------------------------------------------------------------------
+void vtkNoiseLayer::SetThresholdImage(vtkImageData* image)
+{
+  if (this->ThresholdImage != image)
+  {
+    this->ThresholdImage = image;
+    this->ThresholdImageFileName.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkNoiseLayer::GetThresholdImage()
+{
+  return this->ThresholdImage;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNoiseLayer::ReadThresholdImage(const std::string& fileName)
+{
+  try
+  {
+    this->SetThresholdImage(hachure::readPatternImage(fileName));
+    this->SetThresholdImageFileName(fileName.c_str());
+    return true;
+  }
+  catch (const std::runtime_error& error)
+  {
+    vtkErrorMacro("ReadThresholdImage: " << error.what());
+    return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNoiseLayer::SetThresholdImageFileName(const char* fileName)
+{
+  if (Change(this->ThresholdImageFileName, fileName))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkNoiseLayer::GetThresholdImageFileName()
+{
+  return this->ThresholdImageFileName.c_str();
+}
+
+//------------------------------------------------------------------------------
 bool vtkNoiseLayer::ReadImage(const std::string& fileName)
 {
   try
@@ -132,8 +180,12 @@ const char* vtkNoiseLayer::GetImageFileName()
 //------------------------------------------------------------------------------
 vtkMTimeType vtkNoiseLayer::GetMTime()
 {
-  const vtkMTimeType time = this->Superclass::GetMTime();
-  return this->Image ? std::max(time, this->Image->GetMTime()) : time;
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkImageData* image : { this->Image.Get(), this->ThresholdImage.Get() })
+  {
+    time = image ? std::max(time, image->GetMTime()) : time;
+  }
+  return time;
 }
 
 //------------------------------------------------------------------------------
@@ -159,6 +211,7 @@ void vtkNoiseLayer::DescribeField(hachure::StyleArchive& archive)
   archive.pair("regularityFactors", this, &Self::GetRegularityFactors, &Self::SetRegularityFactors);
   archive.number("smoothness", this, &Self::GetSmoothness, &Self::SetSmoothness,
     { this->GetSmoothnessMinValue(), this->GetSmoothnessMaxValue() });
+  archive.imageFile("thresholdImage", this->ThresholdImage, this->ThresholdImageFileName);
   archive.number("overlap", this, &Self::GetOverlap, &Self::SetOverlap,
     { this->GetOverlapMinValue(), this->GetOverlapMaxValue() });
   archive.number("fade", this, &Self::GetFade, &Self::SetFade,
@@ -191,6 +244,8 @@ void vtkNoiseLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RegularityFactors: " << this->RegularityFactors[0] << ", "
      << this->RegularityFactors[1] << "\n";
   os << indent << "Smoothness: " << this->Smoothness << "\n";
+  os << indent << "ThresholdImage: " << this->ThresholdImage.Get() << "\n";
+  os << indent << "ThresholdImageFileName: " << this->ThresholdImageFileName << "\n";
   os << indent << "Overlap: " << this->Overlap << "\n";
   os << indent << "Fade: " << this->Fade << "\n";
   os << indent << "Distribution: " << this->Distribution << "\n";

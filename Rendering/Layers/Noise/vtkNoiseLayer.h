@@ -157,6 +157,28 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Which ink the noise makes of a tone (the X-toon texture of section 4), in place of thresholds
+   * that keep ink equal to the tone: one slice with scalars, black for full ink, white for none,
+   * grey evenly between. Columns divide the noise's values, which come equally often, from the
+   * left; rows are tones, from 0 at the bottom to 1 at the top. Numbers that are not whole count
+   * from 0 (black) to 1. At most 4096 columns and rows. Default null: thresholds. Setting another
+   * one clears ThresholdImageFileName.
+   */
+  virtual void SetThresholdImage(vtkImageData* image);
+  virtual vtkImageData* GetThresholdImage();
+  ///@}
+
+  /** Reads ThresholdImage, as ReadImage does Image. */
+  virtual bool ReadThresholdImage(const std::string& fileName);
+
+  ///@{
+  /** File that style files name as the source of ThresholdImage, as ImageFileName. */
+  virtual void SetThresholdImageFileName(const char* fileName);
+  virtual const char* GetThresholdImageFileName();
+  ///@}
+
+  ///@{
   /** Mean number N' of kernels that overlap in a pixel; quality against time. Range 4 to 256,
    * default 32; the paper uses 16 to 128. */
   vtkSetClampMacro(Overlap, double, 4.0, 256.0);
@@ -218,7 +240,7 @@ public:
   virtual const char* GetImageFileName();
   ///@}
 
-  /** Latest change of the layer, its tone or its image. */
+  /** Latest change of the layer, its tone or its images. */
   vtkMTimeType GetMTime() override;
 
 #ifndef __VTK_WRAP__
@@ -246,6 +268,8 @@ private:
   std::string ControlArrayName;
   double ControlRange[2] = { 0.0, 1.0 };
   double Smoothness = 0.0;
+  vtkSmartPointer<vtkImageData> ThresholdImage;
+  std::string ThresholdImageFileName;
   double Overlap = 32.0;
   double Fade = 1.0;
   int Distribution = EVEN;

@@ -6,6 +6,7 @@
 
 #include "Kernels.h"
 #include "NoiseForwardLayer.h"
+#include "NoiseInkSums.h"
 #include "NoiseLayer.h"
 #include "NoiseVisibility.h"
 #include "PatternImageFile.h"
@@ -14,6 +15,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternMapper.h"
 #include "vtkPatternNoiseSurface.h"
+#include "vtkPatternShaderText.h"
 #include "vtkShaderProgram.h"
 
 #include <glm/gtc/constants.hpp>
@@ -56,13 +58,20 @@ vtkNoiseLayerPainter::vtkNoiseLayerPainter(vtkNoiseLayer* layer)
 
 std::string vtkNoiseLayerPainter::GetDeclarations(bool) const
 {
-  return NoiseLayer;
+  return vtkPattern::ShaderSection(NoiseLayer, "Field") + this->InkText();
+}
+
+std::string vtkNoiseLayerPainter::InkText() const
+{
+  const bool image = this->Layer && this->Layer->GetThresholdImage();
+  return vtkPattern::ShaderSection(NoiseLayer, image ? "ThresholdImage" : "Threshold");
 }
 
 bool vtkNoiseLayerPainter::Update(
   vtkOpenGLRenderWindow* window, const Scene& scene, std::string& error)
 {
-  if (!this->Layer || !this->UpdateSpot(error))
+  this->Window = window;
+  if (!this->Layer || !this->UpdateSpot(error) || !this->UpdateInkSums(error))
   {
     return false;
   }
@@ -70,7 +79,6 @@ bool vtkNoiseLayerPainter::Update(
   const double unit = this->Layer->GetSizeUnit() == vtkPatternLayer::MILLIMETRES
     ? scene.DotsPerInch / millimetresPerInch
     : 1.0;
-  this->Window = window;
   this->FinalQuality = scene.FinalQuality;
   this->Period = this->Layer->GetSize() * unit * scene.PixelsPerLogical;
   this->UpdateThresholds();
@@ -105,6 +113,34 @@ bool vtkNoiseLayerPainter::UpdateSpot(std::string& error)
   return true;
 }
 
+bool vtkNoiseLayerPainter::UpdateInkSums(std::string& error)
+{
+  vtkImageData* image = this->Layer->GetThresholdImage();
+  if (!image || (this->InkSumsTime == this->Layer->GetMTime() && this->InkSums->GetHandle()))
+  {
+    return true;
+  }
+  try
+  {
+    hachure::NoiseInkSums sums = hachure::noiseInkSums(image);
+    this->InkSums->ReleaseGraphicsResources(this->Window);
+    this->InkSums->SetContext(this->Window);
+    this->InkSums->SetWrapS(vtkTextureObject::ClampToEdge);
+    this->InkSums->SetWrapT(vtkTextureObject::ClampToEdge);
+    this->InkSums->SetMinificationFilter(vtkTextureObject::Linear);
+    this->InkSums->SetMagnificationFilter(vtkTextureObject::Linear);
+    this->InkSums->Create2DFromRaw(static_cast<unsigned int>(sums.columns),
+      static_cast<unsigned int>(sums.rows), 1, VTK_FLOAT, sums.values.data());
+  }
+  catch (const std::exception& problem)
+  {
+    error = std::string("threshold ") + problem.what();
+    return false;
+  }
+  this->InkSumsTime = this->Layer->GetMTime();
+  return true;
+}
+
 hachure::NoiseFieldOptions vtkNoiseLayerPainter::FieldOptions() const
 {
   hachure::NoiseFieldOptions options;
@@ -133,7 +169,8 @@ hachure::NoiseKernelOptions vtkNoiseLayerPainter::KernelOptions() const
   options.frequency = 1.0 / this->Period;
   // Strokes lie across the waves; a spot is turned itself.
   const bool waves = this->Layer->GetKind() != vtkNoiseLayer::SPOT;
-  options.orientation = (this->Layer->GetAngle() + (waves ? rightAngle : 0.0)) * radiansPerDegree;
+  options.lineAngle = (waves ? rightAngle : 0.0) * radiansPerDegree;
+  options.orientation = this->Layer->GetAngle() * radiansPerDegree + options.lineAngle;
   options.spread = this->Layer->GetSpread() * radiansPerDegree;
   options.fade = this->Layer->GetFade();
   options.turning = this->Layer->GetSpread() >= rightAngle;
@@ -150,7 +187,8 @@ void vtkNoiseLayerPainter::UpdateThresholds()
   options.radius = kernels.radius;
   options.spread = kernels.spread;
   options.seed = this->Layer->GetSeed();
-  std::vector<float> thresholds = hachure::noiseThresholds(options);
+  std::vector<float> thresholds =
+    this->Layer->GetThresholdImage() ? std::vector<float>() : hachure::noiseThresholds(options);
   if (thresholds != this->Thresholds)
   {
     this->Thresholds = std::move(thresholds);
@@ -220,7 +258,8 @@ std::string vtkNoiseLayerPainter::DrawField(const FieldScene& scene, int channel
 std::string vtkNoiseLayerPainter::GetForwardDeclarations(bool) const
 {
   return vtkNoiseKernelBuffers::Text(
-    NoiseForwardLayer, vtkNoiseKernelBuffers::Stage::Forward, this->FieldOptions().kind);
+           NoiseForwardLayer, vtkNoiseKernelBuffers::Stage::Forward, this->FieldOptions().kind) +
+    this->InkText();
 }
 
 bool vtkNoiseLayerPainter::ForwardState::operator==(const ForwardState& other) const
@@ -272,6 +311,10 @@ void vtkNoiseLayerPainter::SetUniforms(vtkShaderProgram* program, const std::str
   {
     program->SetUniformi(("hachureNoise" + number).c_str(), this->Texture->GetTextureUnit());
   }
+  if (this->Layer->GetThresholdImage())
+  {
+    program->SetUniformi(("hachureInkSums" + number).c_str(), this->InkSums->GetTextureUnit());
+  }
   constexpr double middle = 0.5; // of a row
   const float row = static_cast<float>(
     (static_cast<double>(rows.First) + middle) / static_cast<double>(rows.RowsOfAll));
@@ -297,6 +340,10 @@ void vtkNoiseLayerPainter::Activate()
   {
     this->Texture->Activate();
   }
+  if (this->Layer && this->Layer->GetThresholdImage())
+  {
+    this->InkSums->Activate();
+  }
 }
 
 void vtkNoiseLayerPainter::Deactivate()
@@ -309,6 +356,10 @@ void vtkNoiseLayerPainter::Deactivate()
   {
     this->Texture->Deactivate();
   }
+  if (this->Layer && this->Layer->GetThresholdImage())
+  {
+    this->InkSums->Deactivate();
+  }
 }
 
 void vtkNoiseLayerPainter::ReleaseGraphicsResources(vtkWindow* window)
@@ -320,6 +371,7 @@ void vtkNoiseLayerPainter::ReleaseGraphicsResources(vtkWindow* window)
   this->BackEnds.clear();
   this->ForwardKernels.ReleaseGraphicsResources(window);
   this->Texture->ReleaseGraphicsResources(window);
+  this->InkSums->ReleaseGraphicsResources(window);
   this->Rectangle = { 0, 0, 0, 0 };
   this->Forward = false;
 }

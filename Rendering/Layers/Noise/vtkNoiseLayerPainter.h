@@ -45,11 +45,13 @@ public:
 
 private:
   bool UpdateSpot(std::string& error);
+  bool UpdateInkSums(std::string& error);
   void UpdateThresholds();
   hachure::NoiseFieldOptions FieldOptions() const;
   hachure::NoiseKernelOptions KernelOptions() const;
   std::vector<hachure::NoiseKernel> Kernels(
     const FieldScene& scene, const hachure::NoiseKernelOptions& options) const;
+  std::string InkText() const;
   float DepthTolerance(const FieldScene& scene) const;
   bool DrawWith(
     int type, const FieldScene& scene, hachure::Span<const hachure::NoiseKernel> kernels);
@@ -63,6 +65,8 @@ private:
   unsigned long TableVersion = 0;
   hachure::NoiseSpot Spot;
   vtkMTimeType SpotTime = 0;
+  vtkNew<vtkTextureObject> InkSums; // of the layer's ThresholdImage
+  vtkMTimeType InkSumsTime = 0;
   vtkNew<vtkTextureObject> Texture;
   std::array<int, 4> Rectangle = { 0, 0, 0, 0 }; // that the texture is of; empty: of nothing
   std::map<int, std::unique_ptr<vtkNoiseBackEnd>> BackEnds;

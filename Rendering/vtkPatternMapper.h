@@ -147,10 +147,10 @@ public:
    * What sums up the kernels of noise layers (vtkNoiseLayer). CPU: the processors. GATHER: shaders
    * in which every pixel reads the kernels near it (OpenGL 3.2). COMPUTE: compute shaders, where
    * the window has OpenGL 4.3. SPLAT: a square per kernel, added up by blending; the reference.
-   * They give the same picture but for rounding. AUTOMATIC: CPU, or GATHER or COMPUTE where one takes
-   * less than half its time for a small noise, measured once for every graphics card. What the
-   * window's OpenGL cannot do is a warning, and drawn as AUTOMATIC; a frame of more kernels than it
-   * can hold is summed by the CPU. On translucent surfaces shaders always gather.
+   * They give the same picture but for rounding. AUTOMATIC: CPU, or GATHER or COMPUTE where one
+   * takes less than half its time for a small noise, measured once for every graphics card. What
+   * the window's OpenGL cannot do is a warning, and drawn as AUTOMATIC; a frame of more kernels
+   * than it can hold is summed by the CPU. On translucent surfaces shaders always gather.
    */
   enum NoiseBackEndType
   {

@@ -266,7 +266,7 @@ std::string vtkPatternCompositor::Declarations(bool forward) const
   return declarations;
 }
 
-std::string vtkPatternCompositor::StackText(bool plainPaper, bool forward)
+std::string vtkPatternCompositor::StackText(bool forward) const
 {
   std::string calls;
   for (std::size_t i = 0; i < this->Layers.size(); ++i)
@@ -275,11 +275,9 @@ std::string vtkPatternCompositor::StackText(bool plainPaper, bool forward)
   }
   const std::string declarations = this->Declarations(forward);
   const bool elsewhere = declarations.find("hachureColorAt") != std::string::npos;
-  this->Colors =
-    !plainPaper || elsewhere || declarations.find("hachureSurfaceHere") != std::string::npos;
   std::string text = std::string(Ink) + Mix + Lod + PatternField + SurfacePattern + PatchBlend +
     ToneCurve + ProcessInks + PatternCompose;
-  if (forward)
+  if (forward && this->NeedsFields())
   {
     text.insert(0, std::string(Screens) + NoiseKernel); // fields that are made in the shader
   }
@@ -292,7 +290,8 @@ std::string vtkPatternCompositor::StackText(bool plainPaper, bool forward)
     elsewhere ? vtkPattern::ShaderSection(PatternColorAt, forward ? "Forward" : "Images")
               : std::string());
   vtkShaderProgram::Substitute(text, "LAYERS", std::to_string(this->Layers.size()));
-  vtkShaderProgram::Substitute(text, "PAPER", plainPaper ? "hachurePaper" : "hachureSurfaceHere");
+  vtkShaderProgram::Substitute(
+    text, "PAPER", this->PlainPaper ? "hachurePaper" : "hachureSurfaceHere");
   vtkShaderProgram::Substitute(text, "//Hachure::Layers::Dec", declarations);
   vtkShaderProgram::Substitute(text, "  //Hachure::Layers::Impl", calls);
   return text;
@@ -300,13 +299,16 @@ std::string vtkPatternCompositor::StackText(bool plainPaper, bool forward)
 
 void vtkPatternCompositor::UpdateText(bool plainPaper)
 {
-  this->ForwardText = this->StackText(plainPaper, true);
-  this->ShaderText = this->StackText(plainPaper, false);
+  this->PlainPaper = plainPaper;
+  const std::string declarations = this->Declarations(false);
+  this->Colors = !plainPaper || declarations.find("hachureColorAt") != std::string::npos ||
+    declarations.find("hachureSurfaceHere") != std::string::npos;
+  this->ShaderText = this->StackText(false);
 }
 
 std::string vtkPatternCompositor::GetShaderText(bool forward) const
 {
-  return forward ? this->ForwardText : this->ShaderText;
+  return forward ? this->StackText(true) : this->ShaderText;
 }
 
 void vtkPatternCompositor::UpdateTables(vtkOpenGLRenderWindow* window)

@@ -81,7 +81,7 @@ private:
   std::string ForFields(FieldFunction draw, const vtkPatternLayerPainter::FieldScene& scene);
   void UpdateText(bool plainPaper);
   std::string Declarations(bool forward) const;
-  std::string StackText(bool plainPaper, bool forward);
+  std::string StackText(bool forward) const;
   void SetSurfaceUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
   void SetPatchUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
   void UpdateTables(vtkOpenGLRenderWindow* window);
@@ -92,7 +92,7 @@ private:
   std::vector<Drawn> Layers;
   Octaves TimedOctaves;
   std::string ShaderText;
-  std::string ForwardText;
+  bool PlainPaper = false;
   vtkNew<vtkTextureObject> Tables;
   std::vector<std::pair<vtkPatternLayerPainter*, unsigned long>> TableState;
   std::size_t TableRows = 0;

@@ -6,7 +6,7 @@ import hachure
 import numpy
 import pattern_scene as scene
 
-SIZE = (240, 240)
+SIZE = (160, 160)
 KINDS = {"gabor": 0, "phasor": 1, "spot": 2}
 
 

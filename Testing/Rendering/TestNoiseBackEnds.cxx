@@ -187,7 +187,7 @@ public:
     auto* card = dynamic_cast<vtkNoiseGpuBackEnd*>(backEnd.get());
     const vtkNoiseBackEnd::Task task = { this->Shown.kernels, rectangle, this->DepthImage,
       [this]() -> const std::vector<float>& { return this->Shown.depth; }, around.objects,
-      around.triangles, around.depthTolerance, tests.Depth, tests.Partial, field };
+      around.triangles, around.depthTolerance, tests.Depth, tests.Partial, false, field };
     const bool drawn = card && card->Draw(this->Window, task, this->Field);
     const std::vector<float> sums = drawn ? card->ReadSums(this->Window) : std::vector<float>();
     backEnd->ReleaseGraphicsResources(this->Window);

@@ -120,7 +120,7 @@ double toIsovalue(const std::string& option, const std::string& text)
 
 std::string toAxis(const std::string& option, const std::string& text)
 {
-  const std::string axis = !text.empty() && text[0] == '+' ? text.substr(1) : text;
+  std::string axis = !text.empty() && text[0] == '+' ? text.substr(1) : text;
   for (const char* known : { "x", "y", "z", "-x", "-y", "-z" })
   {
     if (axis == known)

@@ -46,7 +46,7 @@ struct NoiseSurroundings
   float depthTolerance = 1e-4f;
   bool depthTest = true;         // pixels off the kernel's plane are not drawn to
   bool partialVisibility = true; // a kernel counts by the share of its disc that is seen
-  bool everyPixel = false; // which is found from every pixel of the disc, not from samples
+  bool everyPixel = false;       // which is found from every pixel of the disc, not from samples
 };
 
 struct NoiseFieldOptions

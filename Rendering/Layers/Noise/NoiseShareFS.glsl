@@ -31,7 +31,7 @@ void main()
   float radius = kernel.plane.w;
   float spacing = min(noiseSampleStep(radius), largestStep);
   // Disturbances are known before they reach the disc.
-  float reach = radius + spacing;
+  float reach = radius + 0.5 * spacing;
   vec2 low = max(kernel.place.xy - reach - 0.5, hachureNoiseRectangle.xy);
   vec2 high = min(
     kernel.place.xy + reach - 0.5, hachureNoiseRectangle.xy + hachureNoiseRectangle.zw - 1.0);

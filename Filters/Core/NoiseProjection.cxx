@@ -226,15 +226,15 @@ bool NoiseProjection::project(
   image.depthSlope = slope;
   if (this->options.turning)
   {
-    image.turn = this->turn(triangle, this->size * glm::dvec2(u), this->size * glm::dvec2(v));
+    image.turn = turn(triangle, this->size * glm::dvec2(u), this->size * glm::dvec2(v));
   }
   return true;
 }
 
 // The rotation that is closest to the change of the image over the surface, both without units:
 // that of its polar decomposition. u, v: images of the edges.
-double NoiseProjection::turn(
-  const NoiseTriangle& triangle, const glm::dvec2& u, const glm::dvec2& v) const
+glm::dvec2 NoiseProjection::turn(
+  const NoiseTriangle& triangle, const glm::dvec2& u, const glm::dvec2& v)
 {
   const double side = glm::length(triangle.u);
   const double along = glm::dot(triangle.v, triangle.u) / side;
@@ -242,8 +242,7 @@ double NoiseProjection::turn(
   const glm::dvec2 first = u / side;
   const glm::dvec2 second = (v - along * first) / across;
   const double facing = u.x * v.y - u.y * v.x < 0.0 ? -1.0 : 1.0;
-  const double angle = std::atan2(first.y - facing * second.x, first.x + facing * second.y);
-  return std::isfinite(angle) ? angle : 0.0;
+  return { first.x + facing * second.y, first.y - facing * second.x };
 }
 
 NoiseKernelOptions::Control NoiseProjection::control(const NoisePoint& point) const
@@ -268,8 +267,12 @@ double NoiseProjection::orientation(const NoiseImage& image, const glm::dvec3& d
     glm::dvec2(along(this->rowX, direction) - image.place.x * w,
       along(this->rowY, direction) - image.place.y * w);
   const bool isSeen = std::isfinite(lines.x + lines.y) && lines != glm::dvec2(0.0);
-  return isSeen ? std::atan2(lines.y, lines.x) + this->options.lineAngle
-                : this->options.orientation + image.turn;
+  if (isSeen)
+  {
+    return std::atan2(lines.y, lines.x) + this->options.lineAngle;
+  }
+  const double turned = this->options.turning ? std::atan2(image.turn.y, image.turn.x) : 0.0;
+  return this->options.orientation + (std::isfinite(turned) ? turned : 0.0);
 }
 
 bool NoiseProjection::placeKernel(const NoiseImage& image, const NoisePoint& point,

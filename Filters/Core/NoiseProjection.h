@@ -42,7 +42,9 @@ struct NoiseImage
   double magnification = 0.0; // square pixels per unit of the reference area
   glm::dvec3 place{ 0.0 };    // in clip space, divided by w
   double w = 1.0;
-  double turn = 0.0; // of the image against the triangle's first edge, radians, where it is wanted
+  // Cosine and sine, times some length, of the image's turn against the triangle's first edge,
+  // where it is wanted.
+  glm::dvec2 turn{ 1.0, 0.0 };
 };
 
 // A view and the options of its kernels, ready for many points.
@@ -74,7 +76,7 @@ public:
 
 private:
   bool meetsViewport(const glm::dvec2& center, double radius) const;
-  double turn(const NoiseTriangle& triangle, const glm::dvec2& u, const glm::dvec2& v) const;
+  static glm::dvec2 turn(const NoiseTriangle& triangle, const glm::dvec2& u, const glm::dvec2& v);
   double orientation(const NoiseImage& image, const glm::dvec3& direction) const;
 
   const NoiseKernelOptions& options;

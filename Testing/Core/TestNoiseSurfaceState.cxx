@@ -151,6 +151,37 @@ TEST(NoiseSurfaceState, ParametersAreAsAsked)
   EXPECT_NEAR(signs / static_cast<double>(kernels.size()), 0.0, 0.04);
 }
 
+// A view that is rolled by some angle sees every direction turned by it, of faces seen from behind
+// by its opposite; without turning directions stay.
+TEST(NoiseSurfaceState, DirectionsTurnWithTheSurface)
+{
+  const Surface sphere = makeNoiseSphere(6);
+  NoiseSurface surface(sphere.mesh());
+  const double angle = 0.3;
+  const auto at = [&](double roll, bool turning)
+  {
+    NoiseKernelOptions options;
+    options.turning = turning;
+    options.spread = 0.5 * pi;
+    NoiseView view = parallelView({ 400, 400 }, 150.0);
+    view.modelToClip = view.modelToClip * glm::rotate(glm::dmat4(1.0), roll, { 0.0, 0.0, 1.0 });
+    return surface.kernels(view, options);
+  };
+  for (const bool turning : { true, false })
+  {
+    const auto before = at(0.0, turning);
+    const auto after = at(angle, turning);
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+      ASSERT_EQ(before[i].id, after[i].id);
+      const double turned = static_cast<double>(after[i].orientation - before[i].orientation);
+      const double expected = turning ? angle : 0.0;
+      EXPECT_NEAR(std::remainder(turned - expected, 2.0 * pi), 0.0, 1e-5);
+    }
+  }
+}
+
 TEST(NoiseSurfaceState, ControlChangesKernelsAndKeepsTheirOverlap)
 {
   Surface square;

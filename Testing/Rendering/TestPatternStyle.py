@@ -59,6 +59,53 @@ def document(layer="", top=""):
     )
 
 
+def values(thing):
+    """All that has a setter, but what belongs to the output or to VTK."""
+    names = (n[3:] for n in dir(thing) if n.startswith("Get"))
+    names = (n for n in names if hasattr(thing, "Set" + n) and not n.startswith("Object"))
+    skipped = ("Tone", "PixelScale", "FinalQuality", "Debug", "GlobalWarningDisplay", "MemkindDirectory",
+               "ReferenceCount")
+    return {n: getattr(thing, "Get" + n)() for n in names if n not in skipped}
+
+
+def test_every_parameter_of_noise_survives():
+    style, layer = new_style(), hachure.vtkNoiseLayer()
+    layer.SetColor(1.0 / 3.0, 0.7, 1.0)
+    layer.SetColorSource(layer.SURFACE)
+    layer.SetOpacity(0.35)
+    layer.SetBlendMode(layer.OVERLAY)
+    layer.SetSeed(4294967295)
+    layer.EnabledOff()
+    layer.SetKind(layer.PHASOR)
+    layer.SetSize(0.6)
+    layer.SetSizeUnit(layer.MILLIMETRES)
+    layer.SetRegularity(1.0 / 3.0)
+    layer.SetAngle(-30.5)
+    layer.SetSpread(12.5)
+    layer.SetDirectionArrayName('a "name"')
+    layer.SetControl(layer.ARRAY)
+    layer.SetControlArrayName("depth")
+    layer.SetControlRange(1e300, -1.0 / 3.0)
+    layer.SetSizeFactors(0.5, 3.0)
+    layer.SetRegularityFactors(0.7, 1.5)
+    layer.SetSmoothness(0.25)
+    layer.SetOverlap(48.5)
+    layer.SetFade(2.5)
+    layer.SetDistribution(layer.CLASSIC)
+    layer.ObjectTestOff()
+    layer.TriangleTestOn()
+    layer.DepthTestOff()
+    layer.PartialVisibilityOff()
+    style.AddLayer(layer)
+    copy = new_style()
+    assert copy.FromJson(style.ToJson()), errors
+    mine, default = values(layer), values(hachure.vtkNoiseLayer())
+    assert mine == values(copy.GetLayer(0)), (mine, values(copy.GetLayer(0)))
+    files = ("Image", "ImageFileName", "ThresholdImage", "ThresholdImageFileName")
+    same = [n for n in mine if mine[n] == default[n] and n not in files]
+    assert not same, "the test left the defaults of " + str(same)
+
+
 def test_every_parameter_survives():
     style = new_style()
     tone, layer = hachure.vtkPatternTone(), hachure.vtkImagePatternLayer()
@@ -129,11 +176,7 @@ def test_every_parameter_survives():
     style.SetSamplesPerPatch(321)
     style.SetPixelScale(2)
 
-    def values(thing):
-        names = (n[3:] for n in dir(thing) if n.startswith("Get"))
-        names = (n for n in names if hasattr(thing, "Set" + n) and not n.startswith("Object"))
-        skipped = ("Tone", "PixelScale", "Debug", "GlobalWarningDisplay", "MemkindDirectory", "ReferenceCount")
-        return {n: getattr(thing, "Get" + n)() for n in names if n not in skipped}
+    style.FinalQualityOn()
 
     copy = new_style()
     assert copy.FromJson(style.ToJson()), errors
@@ -145,6 +188,7 @@ def test_every_parameter_survives():
         same = [n for n in mine if mine[n] == default[n] and n not in ("Image", "ImageFileName")]
         assert not same, "the test left the defaults of " + str(same)
     assert copy.GetPixelScale() == 1, "the output's scale is not part of a style"
+    assert not copy.GetFinalQuality(), "nor is its quality"
     assert copy.ToJson() == style.ToJson()
     text = json.loads(style.ToJson())
     assert text["paper"]["color"] == "#1020ff"
@@ -309,6 +353,7 @@ def test_presets():
 
 
 test_every_parameter_survives()
+test_every_parameter_of_noise_survives()
 test_names_of_motions()
 test_absent_keys_are_defaults()
 test_wrong_styles()

@@ -201,6 +201,19 @@ def test_directions_of_an_array():
     assert change(columns, 1) > 2 * change(columns, 0), "strokes run along y"
 
 
+def test_an_array_that_changes_in_a_block():
+    source = scene.plane()
+    blocks = vtkMultiBlockDataSet()
+    blocks.SetBlock(0, source.GetOutput())
+    arrows = numpy.tile((1.0, 0.0, 0.0), (4, 1))
+    array = scene.add_array(source.GetOutput().GetPointData(), "across", arrows)
+    _, _, window = stage(blocks, noise_style(Kind=1, DirectionArrayName="across"))
+    before = scene.draw(window)
+    vtk_to_numpy(array)[:] = (0.0, 1.0, 0.0)
+    array.Modified()
+    assert (scene.draw(window) != before).any()
+
+
 def frequency(pixels):
     """Mean frequency of a picture along x, cycles per pixel."""
     rows = pixels - pixels.mean()

@@ -18,8 +18,6 @@
 #include "vtkPatternShaderText.h"
 #include "vtkShaderProgram.h"
 
-#include <glm/gtc/constants.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -12,12 +12,27 @@
 #include <algorithm>
 #include <cmath>
 
+namespace
+{
+// A composite does not tell of changes in its blocks.
+std::uint64_t TimeOf(vtkDataObject* input)
+{
+  std::uint64_t time = input->GetMTime();
+  for (const vtkPattern::Block& block : vtkPattern::Blocks(input))
+  {
+    time = std::max<std::uint64_t>(time, block.Data->GetMTime());
+  }
+  return time;
+}
+} // namespace
+
 void vtkPatternNoiseSurface::Update(vtkDataObject* input)
 {
-  if (this->Input != input || this->InputTime != input->GetMTime())
+  const std::uint64_t time = TimeOf(input);
+  if (this->Input != input || this->InputTime != time)
   {
     this->Input = input;
-    this->InputTime = input->GetMTime();
+    this->InputTime = time;
     ++this->Version;
     this->Arrays.clear();
   }

@@ -10,14 +10,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <utility>
 
 namespace
 {
 
-constexpr hachure::NumberRange anyNumber = { -std::numeric_limits<double>::max(),
-  std::numeric_limits<double>::max() };
 constexpr hachure::NumberRange dotsPerInchRange = { 1.0, 10000.0 };
 
 /** A number as people write it: 0.35, not 0.34999999999999998. */
@@ -251,7 +248,7 @@ double StyleArchive::readLength(const char* key, NumberRange range, int& unit)
 }
 
 //------------------------------------------------------------------------------
-void StyleArchive::readNumbers(const char* key, double* values, int count)
+void StyleArchive::readNumbers(const char* key, double* values, int count, NumberRange range)
 {
   const Json::Value& list = this->node[key];
   if (!list.isArray() || static_cast<int>(list.size()) != count)
@@ -260,7 +257,7 @@ void StyleArchive::readNumbers(const char* key, double* values, int count)
   }
   for (int i = 0; i < count; ++i)
   {
-    values[i] = this->checkNumber(key + ("[" + std::to_string(i) + "]"), list[i], anyNumber);
+    values[i] = this->checkNumber(key + ("[" + std::to_string(i) + "]"), list[i], range);
   }
 }
 
@@ -270,11 +267,7 @@ void StyleArchive::readColor(const char* key, double* color)
   const Json::Value& value = this->node[key];
   if (value.isArray())
   {
-    this->readNumbers(key, color, 3);
-    for (int i = 0; i < 3; ++i)
-    {
-      this->checkNumber(key + ("[" + std::to_string(i) + "]"), value[i], { 0.0, 1.0 });
-    }
+    this->readNumbers(key, color, 3, { 0.0, 1.0 });
     return;
   }
   const std::string text = this->readText(key);

@@ -13,6 +13,7 @@
 #include "vtkType.h"
 #include "vtk_jsoncpp.h"
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -33,6 +34,9 @@ struct NumberRange
   double least;
   double greatest;
 };
+
+constexpr NumberRange anyNumber = { -std::numeric_limits<double>::max(),
+  std::numeric_limits<double>::max() };
 
 /** What all parts of one style share while it is read or written. */
 struct StyleSession
@@ -160,10 +164,10 @@ public:
     }
   }
 
-  /** Two finite numbers. */
+  /** Two finite numbers, each in a range. */
   template <class Object>
-  void pair(
-    const char* key, Object* object, double* (Object::*get)(), void (Object::*set)(double, double))
+  void pair(const char* key, Object* object, double* (Object::*get)(),
+    void (Object::*set)(double, double), NumberRange range = anyNumber)
   {
     if (!this->isReading())
     {
@@ -172,7 +176,7 @@ public:
     else if (this->has(key))
     {
       double values[2];
-      this->readNumbers(key, values, 2);
+      this->readNumbers(key, values, 2, range);
       (object->*set)(values[0], values[1]);
     }
   }
@@ -217,7 +221,7 @@ private:
   bool readBoolean(const char* key);
   int readChoice(const char* key, const std::vector<std::string>& names);
   double readLength(const char* key, NumberRange range, int& unit);
-  void readNumbers(const char* key, double* values, int count);
+  void readNumbers(const char* key, double* values, int count, NumberRange range);
   void readColor(const char* key, double* color);
   void writeBoolean(const char* key, bool value);
   void writeLength(const char* key, double value, int unit);

@@ -247,7 +247,10 @@ def test_wrong_arrays_name_themselves():
     for parameters, message in (
             ({"DirectionArrayName": "nothing"}, "direction array 'nothing' is missing"),
             ({"DirectionArrayName": "pairs"}, "direction array 'pairs' has 4 tuples of 2 components"),
-            ({"Control": 2, "ControlArrayName": "nothing"}, "control array 'nothing' is missing")):
+            ({"Control": 2, "ControlArrayName": "nothing"}, "control array 'nothing' is missing"),
+            ({"Control": 2}, "control array '' is missing"),
+            ({"Control": 2, "ControlArrayName": "pairs", "ControlRange": (3.0, 3.0)},
+             "control range is [3.000000, 3.000000]; expected two different")):
         _, _, window = stage(surface, noise_style(**parameters))
         pixels = scene.draw(window)
         window.Render()

@@ -106,6 +106,16 @@ def test_every_parameter_of_noise_survives():
     assert not same, "the test left the defaults of " + str(same)
 
 
+def test_wrong_factors_of_noise():
+    style = new_style()
+    text = '{"hachure": 1, "layers": [{"type": "noise", "field": {"%s": [1, 100]}}]}'
+    for key in ("sizeFactors", "regularityFactors"):
+        errors.clear()
+        assert not style.FromJson(text % key)
+        assert "layers[0].field.%s[1]" % key in errors[-1] and "0.25" in errors[-1], errors
+    errors.clear()
+
+
 def test_every_parameter_survives():
     style = new_style()
     tone, layer = hachure.vtkPatternTone(), hachure.vtkImagePatternLayer()
@@ -354,6 +364,7 @@ def test_presets():
 
 test_every_parameter_survives()
 test_every_parameter_of_noise_survives()
+test_wrong_factors_of_noise()
 test_names_of_motions()
 test_absent_keys_are_defaults()
 test_wrong_styles()

@@ -37,10 +37,14 @@ vtkNoiseControl::vtkNoiseControl(
   , Channel(channel)
 {
   constexpr int vector = 3;
-  this->Directions = this->Find("direction ", layer->GetDirectionArrayName(), vector);
+  const std::string directions = layer->GetDirectionArrayName();
+  if (!directions.empty())
+  {
+    this->Directions = this->Find("direction ", directions, vector);
+  }
   if (layer->GetControl() == vtkNoiseLayer::ARRAY)
   {
-    this->Numbers = this->Find("control ", layer->GetControlArrayName(), 1);
+    this->FindNumbers();
   }
   if (layer->GetControl() == vtkNoiseLayer::TONE && channel >= 0 && scene.LookAtTones)
   {
@@ -51,10 +55,6 @@ vtkNoiseControl::vtkNoiseControl(
 const vtkPatternSurfaceArray* vtkNoiseControl::Find(
   const char* what, const std::string& name, int components)
 {
-  if (name.empty())
-  {
-    return nullptr;
-  }
   try
   {
     return &this->Scene.Surface->Array(name, components);
@@ -65,6 +65,19 @@ const vtkPatternSurfaceArray* vtkNoiseControl::Find(
     this->Problem += problem.what();
     return nullptr;
   }
+}
+
+void vtkNoiseControl::FindNumbers()
+{
+  const double* range = this->Layer->GetControlRange();
+  if (!(std::isfinite(range[0]) && std::isfinite(range[1])) || range[0] == range[1])
+  {
+    this->Problem = "control range is [" + std::to_string(range[0]);
+    this->Problem += ", " + std::to_string(range[1]);
+    this->Problem += "]; expected two different finite numbers";
+    return;
+  }
+  this->Numbers = this->Find("control ", this->Layer->GetControlArrayName(), 1);
 }
 
 void vtkNoiseControl::Apply(hachure::NoiseKernelOptions& options) const
@@ -105,9 +118,8 @@ double vtkNoiseControl::ControlAt(const hachure::NoisePoint& point) const
   if (this->Numbers)
   {
     const double* range = this->Layer->GetControlRange();
-    const double extent = range[1] - range[0];
-    share = (this->Numbers->Number(point.triangle, point.weights) - range[0]) /
-      (extent != 0.0 ? extent : 1.0);
+    share =
+      (this->Numbers->Number(point.triangle, point.weights) - range[0]) / (range[1] - range[0]);
   }
   else if (this->Layer->GetControl() == vtkNoiseLayer::TONE)
   {

@@ -30,6 +30,7 @@ public:
 
 private:
   const vtkPatternSurfaceArray* Find(const char* what, const std::string& name, int components);
+  void FindNumbers();
   hachure::NoiseKernelOptions::Control At(const hachure::NoisePoint& point) const;
   double ControlAt(const hachure::NoisePoint& point) const;
   double ToneAt(const hachure::NoisePoint& point) const;

@@ -13,8 +13,7 @@ vtkStandardNewMacro(vtkNoiseLayer);
 
 namespace
 {
-constexpr double leastFactor = 0.25;
-constexpr double greatestFactor = 4.0;
+constexpr hachure::NumberRange factors = { 0.25, 4.0 };
 
 // Returns whether the text changed.
 bool Change(std::string& text, const char* name)
@@ -27,8 +26,8 @@ bool Change(std::string& text, const char* name)
 bool Change(double (&pair)[2], double lowest, double highest)
 {
   const double before[2] = { pair[0], pair[1] };
-  pair[0] = std::clamp(lowest, leastFactor, greatestFactor);
-  pair[1] = std::clamp(highest, leastFactor, greatestFactor);
+  pair[0] = std::clamp(lowest, factors.least, factors.greatest);
+  pair[1] = std::clamp(highest, factors.least, factors.greatest);
   return pair[0] != before[0] || pair[1] != before[1];
 }
 } // namespace
@@ -207,8 +206,9 @@ void vtkNoiseLayer::DescribeField(hachure::StyleArchive& archive)
     "control", this, &Self::GetControl, &Self::SetControl, { "none", "tone", "array" });
   archive.text("controlArray", this, &Self::GetControlArrayName, &Self::SetControlArrayName);
   archive.pair("controlRange", this, &Self::GetControlRange, &Self::SetControlRange);
-  archive.pair("sizeFactors", this, &Self::GetSizeFactors, &Self::SetSizeFactors);
-  archive.pair("regularityFactors", this, &Self::GetRegularityFactors, &Self::SetRegularityFactors);
+  archive.pair("sizeFactors", this, &Self::GetSizeFactors, &Self::SetSizeFactors, factors);
+  archive.pair(
+    "regularityFactors", this, &Self::GetRegularityFactors, &Self::SetRegularityFactors, factors);
   archive.number("smoothness", this, &Self::GetSmoothness, &Self::SetSmoothness,
     { this->GetSmoothnessMinValue(), this->GetSmoothnessMaxValue() });
   archive.imageFile("thresholdImage", this->ThresholdImage, this->ThresholdImageFileName);

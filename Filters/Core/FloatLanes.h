@@ -15,8 +15,6 @@
 namespace hachure
 {
 
-constexpr int floatLanes = 8;
-
 #if defined(__GNUC__)
 #define HACHURE_INLINED inline __attribute__((always_inline))
 typedef float FloatLanes __attribute__((vector_size(floatLanes * sizeof(float))));
@@ -263,6 +261,34 @@ HACHURE_INLINED void turnLanes(const FloatLanes& turns, FloatLanes& cosine, Floa
   const FloatLanes twice = s + s;
   cosine = 1.0f - twice * s;
   sine = twice * c;
+}
+
+// Binary logarithm of positive numbers, within 2e-7; of what is too large for one at least 127.
+HACHURE_INLINED FloatLanes logarithmLanes(const FloatLanes& x)
+{
+#if defined(__GNUC__)
+  IntLanes bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  // A mantissa from sqrt(1/2) to sqrt(2).
+  const IntLanes exponent = (bits - 0x3f3504f3) >> 23;
+  bits -= exponent << 23;
+  FloatLanes mantissa;
+  std::memcpy(&mantissa, &bits, sizeof(mantissa));
+  const FloatLanes t = (mantissa - 1.0f) / (mantissa + 1.0f);
+  const FloatLanes square = t * t;
+  // 2 / ln 2 times the series of the inverse hyperbolic tangent.
+  FloatLanes sum = square * 0.412198583f + 0.577078016f;
+  sum = sum * square + 0.961796694f;
+  sum = sum * square + 2.88539008f;
+  return sum * t + floatsOf(exponent);
+#else
+  FloatLanes result;
+  for (int lane = 0; lane < floatLanes; ++lane)
+  {
+    result[lane] = std::log2(x[lane]);
+  }
+  return result;
+#endif
 }
 
 // Asks for the cache lines of something that is read soon.

@@ -20,6 +20,7 @@ namespace hachure
 #endif
 
 constexpr std::size_t lanes = 4;
+constexpr int floatLanes = 8; // of single precision, see FloatLanes.h
 
 #if defined(__GNUC__)
 typedef double Lanes __attribute__((vector_size(lanes * sizeof(double))));

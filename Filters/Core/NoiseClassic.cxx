@@ -114,22 +114,37 @@ public:
   {
     const double expected = this->density * imageArea(triangle, this->view);
     const ClassicCount count(expected);
-    NoiseCell whole;
     NoiseBatch batch;
     batch.stream = key;
-    for (int i = 0; i < count.full + count.fading; ++i)
+    const double size = glm::length(triangle.u);
+    const NoiseFrame frame{ triangle.origin, size > 0.0 ? powerOfTwo(binaryExponent(size)) : 1.0 };
+    const NoiseBlockView blockView = this->projection.blockView(frame);
+    const int total = count.full + count.fading;
+    for (int first = 0; first < total; first += floatLanes)
     {
-      const std::uint64_t id = batch.id(i);
-      const double birth = powerOfTwo(binaryExponent(std::max(i, 1)));
-      const NoisePoint point{ index, noiseWeights(whole, id), birth, id };
-      NoiseImage image;
-      NoiseKernel kernel;
-      if (this->projection.project(triangle, point.weights, image) &&
-        this->projection.placeKernel(image, point, this->projection.control(point),
-          i < count.full ? count.weight : count.alpha, kernel))
+      std::array<NoisePoint, floatLanes> points;
+      NoiseBlock block{};
+      block.count = static_cast<std::int8_t>(std::min(floatLanes, total - first));
+      for (int lane = 0; lane < block.count; ++lane)
       {
-        kernel.object = object;
-        output.add(kernel, point);
+        const std::uint64_t id = batch.id(first + lane);
+        points[lane] = { index, noiseWeights({}, id),
+          powerOfTwo(binaryExponent(std::max(first + lane, 1))), id };
+        block.place(lane, triangle, points[lane].weights, frame);
+      }
+      NoiseImages images;
+      projectNoiseBlock(blockView, block, images);
+      for (int lane = 0; lane < block.count; ++lane)
+      {
+        const double weight = first + lane < count.full ? count.weight : count.alpha;
+        NoiseKernel kernel;
+        if (!std::signbit(images.seen[lane]) &&
+          this->projection.placeKernel(
+            images, lane, points[lane], this->projection.control(points[lane]), weight, kernel))
+        {
+          kernel.object = object;
+          output.add(kernel, points[lane]);
+        }
       }
     }
   }

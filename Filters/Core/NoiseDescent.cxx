@@ -187,17 +187,23 @@ private:
     for (std::int32_t octave = std::max(this->lowest, noiseSharedOctave(area)) + 1;
          octave <= this->highest; ++octave)
     {
-      if (noiseCellDepth(area, octave) == 0)
-      {
-        this->addBatch(noiseBatch(whole, area, octave), triangle, 0);
-        continue;
-      }
-      for (int child = 0; child < 4; ++child)
-      {
-        const NoiseCell cell = noiseChild(whole, child);
-        assert(noiseCellDepth(area, octave) == 1);
-        this->addBatch(noiseBatch(cell, area, octave), triangle, child + 1);
-      }
+      this->addOctave(whole, 0, area, octave, triangle);
+    }
+  }
+
+  // The points of an octave in a cell, whose number is `path`.
+  void addOctave(const NoiseCell& cell, std::int32_t path, double area, std::int32_t octave,
+    std::int32_t triangle)
+  {
+    if (cell.depth >= noiseCellDepth(area, octave))
+    {
+      this->addBatch(noiseBatch(cell, area, octave), triangle, path);
+      return;
+    }
+    for (int child = 0; child < 4; ++child)
+    {
+      this->addOctave(
+        noiseChild(cell, child), noiseChildNumber(path, child), area, octave, triangle);
     }
   }
 

@@ -56,6 +56,11 @@ NoiseCell noiseChild(const NoiseCell& cell, int child)
   return result;
 }
 
+NoiseCell noiseCellOf(std::int32_t number)
+{
+  return number == 0 ? NoiseCell{} : noiseChild(noiseCellOf((number - 1) / 4), (number - 1) % 4);
+}
+
 NoiseBatch noiseSharedBatch(std::uint64_t triangleKey, double area)
 {
   NoiseBatch batch;

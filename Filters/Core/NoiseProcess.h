@@ -82,6 +82,16 @@ struct NoiseCell
 // The children 0 to 2 lie at the corners, 3 in the middle.
 NoiseCell noiseChild(const NoiseCell& cell, int child);
 
+// Numbers of cells: that of the triangle is 0, and those of the children of cell n follow each
+// other from 4 n + 1 on.
+inline std::int32_t noiseChildNumber(std::int32_t cell, int child)
+{
+  return 4 * cell + 1 + child;
+}
+
+// The cell of a number; keys are not set.
+NoiseCell noiseCellOf(std::int32_t number);
+
 // Uniform in (0, 1).
 inline double openUnit(std::uint64_t bits)
 {
@@ -100,9 +110,12 @@ struct NoiseBatch
   {
     return hashMix(this->stream + (static_cast<std::uint64_t>(index) + 1) * 0x9e3779b97f4a7c15ull);
   }
+  // A number that single precision holds.
   double birth(std::uint64_t id) const
   {
-    return this->lowestBirth + this->birthRange * openUnit(hashMix(id ^ 0xd6e8feb86659fd93ull));
+    const std::uint64_t bits = hashMix(id ^ 0xd6e8feb86659fd93ull);
+    const double scale = 1.0 / 8388608.0; // 2^-23
+    return this->lowestBirth + this->birthRange * (static_cast<double>(bits >> 41) * scale);
   }
 };
 

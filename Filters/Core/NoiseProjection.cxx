@@ -20,9 +20,6 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-// A triangle seen edge-on crosses the whole range of depths within one pixel; it is no steeper.
-constexpr double steepest = 1.0;
-
 double length3(const glm::dvec4& row)
 {
   return glm::length(glm::dvec3(row));
@@ -43,6 +40,18 @@ double at(const glm::dvec4& row, const glm::dvec3& point)
 double along(const glm::dvec4& row, const glm::dvec3& direction)
 {
   return row.x * direction.x + row.y * direction.y + row.z * direction.z;
+}
+
+// A row for places of a frame.
+glm::dvec4 inFrame(const glm::dvec4& row, const NoiseFrame& frame)
+{
+  return glm::dvec4(glm::dvec3(row) * frame.unit, at(row, frame.origin));
+}
+
+double largestOf(const glm::dvec4& row)
+{
+  const glm::dvec4 size = glm::abs(row);
+  return std::max(std::max(size.x, size.y), std::max(size.z, size.w));
 }
 
 // The value of w on the near plane, where it has but one.
@@ -171,78 +180,49 @@ double NoiseProjection::densityBound(const NoiseSphere& sphere, double stretch) 
   return w > 0.0 ? highest / (w * w) : std::numeric_limits<double>::infinity();
 }
 
-bool NoiseProjection::meetsViewport(const glm::dvec2& center, double radius) const
+bool NoiseProjection::meetsViewport(const glm::vec2& center, double radius) const
 {
-  const glm::dvec2 local = center - this->origin;
+  const glm::dvec2 local = glm::dvec2(center) - this->origin;
   const glm::dvec2 beyond = local - glm::clamp(local, glm::dvec2(0.0), this->size);
   return glm::dot(beyond, beyond) < radius * radius;
 }
 
-bool NoiseProjection::project(
-  const NoiseTriangle& triangle, const glm::dvec2& weights, NoiseImage& image) const
+NoiseBlockView NoiseProjection::blockView(const NoiseFrame& frame) const
 {
-  const glm::dvec3 place = triangle.origin + weights.x * triangle.u + weights.y * triangle.v;
-  const double w = at(this->rowW, place);
-  const double z = at(this->rowZ, place);
-  if (!(w > 0.0) || z < -w)
-  {
-    return false;
-  }
-  const double perspective = 1.0 / w;
-  const glm::dvec3 clip = glm::dvec3(at(this->rowX, place), at(this->rowY, place), z) * perspective;
-  image.place = clip;
-  image.w = w;
-  image.center = this->origin + (0.5 * glm::dvec2(clip) + 0.5) * this->size;
-  if (!this->meetsViewport(image.center, this->largestRadius))
-  {
-    return false;
-  }
-  // Change of the image along the edges.
-  const double uw = along(this->rowW, triangle.u), vw = along(this->rowW, triangle.v);
-  const glm::dvec3 u = (glm::dvec3(along(this->rowX, triangle.u), along(this->rowY, triangle.u),
-                          along(this->rowZ, triangle.u)) -
-                         clip * uw) *
-    perspective;
-  const glm::dvec3 v = (glm::dvec3(along(this->rowX, triangle.v), along(this->rowY, triangle.v),
-                          along(this->rowZ, triangle.v)) -
-                         clip * vw) *
-    perspective;
-  const double determinant = u.x * v.y - u.y * v.x;
-  if (determinant == 0.0)
-  {
-    return false;
-  }
-  image.magnification =
-    std::abs(determinant) * 0.25 * this->size.x * this->size.y / (2.0 * triangle.area);
-  image.depth = 0.5 * clip.z + 0.5;
-  // The halves of depth and of the viewport's size cancel out.
-  glm::dvec2 slope =
-    glm::dvec2(u.z * v.y - u.y * v.z, u.x * v.z - u.z * v.x) / (determinant * this->size);
-  const double steepness = glm::length(slope);
-  if (!(steepness <= steepest))
-  {
-    slope = std::isfinite(steepness) ? slope * (steepest / steepness) : glm::dvec2(0.0);
-  }
-  image.depthSlope = slope;
-  if (this->options.turning)
-  {
-    image.turn = turn(triangle, this->size * glm::dvec2(u), this->size * glm::dvec2(v));
-  }
-  return true;
-}
-
-// The rotation that is closest to the change of the image over the surface, both without units:
-// that of its polar decomposition. u, v: images of the edges.
-glm::dvec2 NoiseProjection::turn(
-  const NoiseTriangle& triangle, const glm::dvec2& u, const glm::dvec2& v)
-{
-  const double side = glm::length(triangle.u);
-  const double along = glm::dot(triangle.v, triangle.u) / side;
-  const double across = glm::length(glm::cross(triangle.u, triangle.v)) / side;
-  const glm::dvec2 first = u / side;
-  const glm::dvec2 second = (v - along * first) / across;
-  const double facing = u.x * v.y - u.y * v.x < 0.0 ? -1.0 : 1.0;
-  return { first.x + facing * second.y, first.y - facing * second.x };
+  glm::dvec4 x = inFrame(this->rowX, frame), y = inFrame(this->rowY, frame);
+  glm::dvec4 z = inFrame(this->rowZ, frame), w = inFrame(this->rowW, frame);
+  const double scale =
+    1.0 / std::max(std::max(largestOf(x), largestOf(y)), std::max(largestOf(w), 1e-300));
+  const double square = glm::dot(glm::dvec3(w), glm::dvec3(w));
+  const double offset = square > 0.0 ? glm::dot(glm::dvec3(z), glm::dvec3(w)) / square : 0.0;
+  z -= offset * w;
+  x *= scale;
+  y *= scale;
+  z *= scale;
+  w *= scale;
+  NoiseBlockView view;
+  view.rowX = x;
+  view.rowY = y;
+  view.rowZ = z;
+  view.rowW = w;
+  view.scale = scale;
+  view.depthOffset = offset;
+  view.origin = this->origin;
+  view.size = this->size;
+  view.reach = static_cast<float>(this->largestRadius);
+  view.densityFactor =
+    static_cast<float>(this->densityPerMagnification * 0.25 * this->size.x * this->size.y);
+  view.inverseFade = static_cast<float>(1.0 / this->options.fade);
+  view.highestDensity = static_cast<float>(this->highestDensityFactor);
+  view.turning = this->options.turning;
+  const glm::dvec3 a(x), b(y), c(z), d(w);
+  view.xy = glm::cross(a, b);
+  view.yw = glm::cross(b, d);
+  view.wx = glm::cross(d, a);
+  view.zy = glm::cross(c, b);
+  view.wz = glm::cross(d, c);
+  view.xz = glm::cross(a, c);
+  return view;
 }
 
 NoiseKernelOptions::Control NoiseProjection::control(const NoisePoint& point) const
@@ -260,64 +240,68 @@ NoiseKernelOptions::Control NoiseProjection::control(const NoisePoint& point) co
   return result;
 }
 
-double NoiseProjection::orientation(const NoiseImage& image, const glm::dvec3& direction) const
+NoiseBlockView NoiseProjection::movedTo(NoiseBlockView view, const NoiseFrame& frame) const
 {
-  const double w = along(this->rowW, direction);
-  const glm::dvec2 lines = this->size *
-    glm::dvec2(along(this->rowX, direction) - image.place.x * w,
-      along(this->rowY, direction) - image.place.y * w);
-  const bool isSeen = std::isfinite(lines.x + lines.y) && lines != glm::dvec2(0.0);
-  if (isSeen)
-  {
-    return std::atan2(lines.y, lines.x) + this->options.lineAngle;
-  }
-  const double turned = this->options.turning ? std::atan2(image.turn.y, image.turn.x) : 0.0;
-  return this->options.orientation + (std::isfinite(turned) ? turned : 0.0);
+  const double w = at(this->rowW, frame.origin);
+  view.rowX.w = static_cast<float>(view.scale * at(this->rowX, frame.origin));
+  view.rowY.w = static_cast<float>(view.scale * at(this->rowY, frame.origin));
+  view.rowZ.w =
+    static_cast<float>(view.scale * (at(this->rowZ, frame.origin) - view.depthOffset * w));
+  view.rowW.w = static_cast<float>(view.scale * w);
+  return view;
 }
 
-bool NoiseProjection::placeKernel(const NoiseImage& image, const NoisePoint& point,
+double NoiseProjection::orientation(
+  const NoiseImages& images, int lane, const glm::dvec3& direction) const
+{
+  if (direction != glm::dvec3(0.0))
+  {
+    const glm::dvec2 center(images.x[lane], images.y[lane]);
+    const glm::dvec2 clip = (center - this->origin) / this->size * 2.0 - 1.0;
+    const double w = along(this->rowW, direction);
+    const glm::dvec2 lines = this->size *
+      glm::dvec2(
+        along(this->rowX, direction) - clip.x * w, along(this->rowY, direction) - clip.y * w);
+    if (std::isfinite(lines.x + lines.y) && lines != glm::dvec2(0.0))
+    {
+      return std::atan2(lines.y, lines.x) + this->options.lineAngle;
+    }
+  }
+  return this->options.orientation + static_cast<double>(images.orientation[lane]);
+}
+
+double NoiseProjection::weight(const NoiseImages& images, const NoiseBlock& block, int lane,
+  const NoiseKernelOptions::Control& control) const
+{
+  const double own =
+    static_cast<double>(images.density[lane]) * control.bandwidth * control.bandwidth;
+  return noiseFadeWeight(own, static_cast<double>(block.birth[lane]), this->options.fade);
+}
+
+bool NoiseProjection::placeKernel(const NoiseImages& images, int lane, const NoisePoint& point,
   const NoiseKernelOptions::Control& control, double weight, NoiseKernel& kernel) const
 {
   const double radius = this->options.radius / control.bandwidth;
-  if (!this->meetsViewport(image.center, radius))
+  kernel.center = { images.x[lane], images.y[lane] };
+  if (!this->meetsViewport(kernel.center, radius))
   {
     return false;
   }
   // The halves of the id are independent.
   const double first = static_cast<double>(point.id >> 32) / 4294967296.0;                  // 2^32
   const double second = static_cast<double>(point.id & 0xffffffffull) / 2147483648.0 - 1.0; // 2^31
-  kernel.center = glm::vec2(image.center);
   kernel.weight = static_cast<float>(weight);
   kernel.phase =
     static_cast<float>(this->options.signs ? (first < 0.5 ? 0.0 : pi) : 2.0 * pi * first);
   kernel.frequency = static_cast<float>(this->options.frequency * control.frequency);
   kernel.bandwidth = noiseBandwidth(static_cast<float>(radius));
-  kernel.orientation =
-    static_cast<float>(this->orientation(image, control.direction) + this->options.spread * second);
-  kernel.depth = static_cast<float>(image.depth);
-  kernel.depthSlope = glm::vec2(image.depthSlope);
+  kernel.orientation = static_cast<float>(
+    this->orientation(images, lane, control.direction) + this->options.spread * second);
+  kernel.depth = images.depth[lane];
+  kernel.depthSlope = { images.slopeX[lane], images.slopeY[lane] };
   kernel.triangle = point.triangle;
   kernel.id = point.id;
   return true;
-}
-
-bool NoiseProjection::makeKernel(
-  const NoiseTriangle& triangle, const NoisePoint& point, NoiseKernel& kernel) const
-{
-  NoiseImage image;
-  if (!this->project(triangle, point.weights, image))
-  {
-    return false;
-  }
-  const double density = this->densityPerMagnification * image.magnification;
-  if (!(density * this->highestDensityFactor > point.birth))
-  {
-    return false;
-  }
-  const NoiseKernelOptions::Control control = this->control(point);
-  const double own = density * control.bandwidth * control.bandwidth;
-  const double weight = noiseFadeWeight(own, point.birth, this->options.fade);
-  return weight > 0.0 && this->placeKernel(image, point, control, weight, kernel);
 }
 
 void NoiseOutputs::restart(std::int64_t count, bool wantsPoints)

@@ -3,6 +3,7 @@
 #ifndef hachure_NoiseProjection_h
 #define hachure_NoiseProjection_h
 
+#include "NoiseBlock.h"
 #include "NoiseSurface.h"
 #include "NoiseSurfaceTree.h"
 
@@ -19,33 +20,12 @@ namespace hachure
 void checkNoiseView(const NoiseView& view);
 void checkNoiseOptions(const NoiseKernelOptions& options);
 
-// A triangle where it is now.
-struct NoiseTriangle
-{
-  glm::dvec3 origin, u, v; // first corner, and the edges to the second and third
-  double area = 0.0;       // in the reference
-};
-
 inline NoiseTriangle noiseTriangleAt(
   Span<const glm::dvec3> positions, const glm::ivec3& corners, double area)
 {
   const glm::dvec3& origin = positions[corners.x];
   return { origin, positions[corners.y] - origin, positions[corners.z] - origin, area };
 }
-
-// The image of a point of a triangle.
-struct NoiseImage
-{
-  glm::dvec2 center{ 0.0 }; // pixels
-  double depth = 0.0;       // window depth
-  glm::dvec2 depthSlope{ 0.0 };
-  double magnification = 0.0; // square pixels per unit of the reference area
-  glm::dvec3 place{ 0.0 };    // in clip space, divided by w
-  double w = 1.0;
-  // Cosine and sine, times some length, of the image's turn against the triangle's first edge,
-  // where it is wanted.
-  glm::dvec2 turn{ 1.0, 0.0 };
-};
 
 // A view and the options of its kernels, ready for many points.
 class NoiseProjection
@@ -59,25 +39,25 @@ public:
   // No point in the sphere that meets the viewport has a higher density than this.
   double densityBound(const NoiseSphere& sphere, double stretch) const;
 
-  // False for a point behind the near plane or too far outside the viewport for any kernel, and
-  // where the image of the triangle is a line.
-  bool project(const NoiseTriangle& triangle, const glm::dvec2& weights, NoiseImage& image) const;
+  // For blocks of a frame; and the same for another frame with this unit.
+  NoiseBlockView blockView(const NoiseFrame& frame) const;
+  NoiseBlockView movedTo(NoiseBlockView view, const NoiseFrame& frame) const;
 
-  // Whether the point has a kernel; sets all of it but the object.
-  bool makeKernel(
-    const NoiseTriangle& triangle, const NoisePoint& point, NoiseKernel& kernel) const;
-
-  // The kernel of a point that is there, whatever the density; false where its disc does not meet
-  // the viewport.
-  bool placeKernel(const NoiseImage& image, const NoisePoint& point,
+  // The kernel of a point that is seen, with a weight; false where its disc does not meet the
+  // viewport.
+  bool placeKernel(const NoiseImages& images, int lane, const NoisePoint& point,
     const NoiseKernelOptions::Control& control, double weight, NoiseKernel& kernel) const;
 
+  // Weight of a point of a block, with its control.
+  double weight(const NoiseImages& images, const NoiseBlock& block, int lane,
+    const NoiseKernelOptions::Control& control) const;
+
+  bool isControlled() const { return static_cast<bool>(this->options.control); }
   NoiseKernelOptions::Control control(const NoisePoint& point) const;
 
 private:
-  bool meetsViewport(const glm::dvec2& center, double radius) const;
-  static glm::dvec2 turn(const NoiseTriangle& triangle, const glm::dvec2& u, const glm::dvec2& v);
-  double orientation(const NoiseImage& image, const glm::dvec3& direction) const;
+  bool meetsViewport(const glm::vec2& center, double radius) const;
+  double orientation(const NoiseImages& images, int lane, const glm::dvec3& direction) const;
 
   const NoiseKernelOptions& options;
   glm::dvec2 origin, size;

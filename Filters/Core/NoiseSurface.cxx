@@ -3,6 +3,7 @@
 #include "NoiseSurface.h"
 
 #include "NoiseDescent.h"
+#include "NoiseOcclusion.h"
 #include "NoiseProcess.h"
 #include "NoiseProjection.h"
 #include "NoiseSurfaceTree.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,27 +27,28 @@ constexpr std::int64_t visitGrain = 16;
 constexpr std::int64_t triangleGrain = 4096;
 constexpr std::size_t defaultBudget = std::size_t{ 64 } << 20;
 
-// Points of nodes that were made, and when they were met last.
+// Points of a node, by their births, where the surface was at some time.
 struct CachedPoints
 {
-  std::vector<NoiseRecord> records;
+  std::vector<NoiseBlock> blocks;
+  NoiseFrame frame;
+  std::uint64_t version = 0; // of the positions
   std::uint64_t lastCall = 0;
   bool isCounted = false;
 
   std::size_t bytes() const
   {
-    return sizeof(CachedPoints) + this->records.capacity() * sizeof(NoiseRecord);
+    return sizeof(CachedPoints) + this->blocks.capacity() * sizeof(NoiseBlock);
   }
 };
 
-void prefetch(const void* address)
+// What all visits of a call have in common.
+struct EmissionTask
 {
-#if defined(__GNUC__)
-  __builtin_prefetch(address);
-#else
-  static_cast<void>(address);
-#endif
-}
+  const NoiseProjection& projection;
+  const NoiseBlockView& view; // of the whole surface's frame
+  const NoiseOcclusion* hidden;
+};
 
 template <class T>
 std::size_t bytesOf(const std::vector<T>& values)
@@ -64,126 +67,194 @@ struct NoiseSurface::Data
   std::size_t cacheBytes = 0;
   std::size_t budget = defaultBudget;
   std::uint64_t calls = 0;
-  NoiseOutputs outputs; // of the last call, for their memory
+  std::uint64_t version = 1; // of the positions
+  double unit = 1.0;         // of the frames
+  NoiseOutputs outputs;      // of the last call, for their memory
 
-  void emit(const NoiseVisit& visit, const NoiseProjection& projection, NoiseOutput& output)
+  void emit(const NoiseVisit& visit, const EmissionTask& task, NoiseOutput& output)
   {
-    if (visit.node < 0)
+    if (visit.node >= 0)
     {
-      this->emitCell(visit, projection, output);
-      return;
+      this->emitNode(visit, task, output);
     }
+    else
+    {
+      this->emitCell(visit, task, output);
+    }
+  }
+
+  void emitNode(const NoiseVisit& visit, const EmissionTask& task, NoiseOutput& output)
+  {
+    std::unique_ptr<CachedPoints>& cached = this->cache[visit.node];
+    if (!cached)
+    {
+      cached = std::make_unique<CachedPoints>();
+      this->fillBlocks(visit, *cached);
+    }
+    if (cached->version != this->version)
+    {
+      this->placeBlocks(visit, *cached);
+    }
+    cached->lastCall = this->calls;
+    const NoiseBlockView view = task.projection.movedTo(task.view, cached->frame);
+    const auto limit = static_cast<float>(visit.density * this->unit * this->unit);
+    for (const NoiseBlock& block : cached->blocks)
+    {
+      if (!(block.birth[0] < limit))
+      {
+        return;
+      }
+      this->emitBlock(block, view, task, output,
+        [&](int lane) { return noiseWeights(noiseCellOf(block.cell[lane]), block.id[lane]); });
+    }
+  }
+
+  // The points that the node owns.
+  void fillBlocks(const NoiseVisit& visit, CachedPoints& cached) const
+  {
     const std::uint32_t first = this->tree.sharedFirst[visit.node];
-    this->emitRecords(Span<const NoiseRecord>(this->tree.shared)
-                        .subspan(first, this->tree.sharedFirst[visit.node + 1] - first),
-      visit.density, projection, output);
+    const std::uint32_t last = this->tree.sharedFirst[visit.node + 1];
+    std::vector<NoiseRecord> records;
     if (this->tree.nodes[visit.node].shared < visit.octave)
     {
-      std::unique_ptr<CachedPoints>& cached = this->cache[visit.node];
-      if (!cached)
-      {
-        cached = std::make_unique<CachedPoints>();
-        cached->records = makeNodePoints(this->tree, visit.node, visit.octaveBelow);
-      }
-      cached->lastCall = this->calls;
-      this->emitRecords(cached->records, visit.density, projection, output);
+      records = makeNodePoints(this->tree, visit.node, visit.octaveBelow);
     }
-  }
-
-  void emitRecords(Span<const NoiseRecord> records, double density,
-    const NoiseProjection& projection, NoiseOutput& output) const
-  {
-    constexpr std::size_t blockSize = 256;
-    std::array<const NoiseRecord*, blockSize> block;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < records.size(); ++i)
+    records.insert(
+      records.end(), this->tree.shared.begin() + first, this->tree.shared.begin() + last);
+    std::sort(records.begin(), records.end(),
+      [](const NoiseRecord& a, const NoiseRecord& b)
+      { return a.birth != b.birth ? a.birth < b.birth : a.id < b.id; });
+    cached.blocks.resize((records.size() + floatLanes - 1) / floatLanes);
+    for (std::size_t i = 0; i < cached.blocks.size() * floatLanes; ++i)
     {
-      if (records[i].birth < density)
-      {
-        block[count++] = &records[i];
-      }
-      if (count == blockSize || i + 1 == records.size())
-      {
-        this->emitBlock({ block.data(), count }, projection, output);
-        count = 0;
-      }
+      NoiseBlock& block = cached.blocks[i / floatLanes];
+      const auto lane = static_cast<int>(i % floatLanes);
+      // Lanes without a point repeat one.
+      const NoiseRecord& record = records[std::min(i, records.size() - 1)];
+      block.id[lane] = record.id;
+      block.birth[lane] = static_cast<float>(record.birth * this->unit * this->unit);
+      block.triangle[lane] = record.triangle;
+      block.cell[lane] = static_cast<std::int8_t>(record.cell);
+      block.count = static_cast<std::int8_t>(i < records.size() ? lane + 1 : block.count);
     }
   }
 
-  void emitBlock(Span<const NoiseRecord* const> records, const NoiseProjection& projection,
-    NoiseOutput& output) const
+  void placeBlocks(const NoiseVisit& visit, CachedPoints& cached) const
   {
-    constexpr std::size_t ahead = 8; // hides the way to memory
-    for (std::size_t i = 0; i < records.size(); ++i)
+    cached.version = this->version;
+    cached.frame = { this->tree.nodes[visit.node].sphere.center, this->unit };
+    for (NoiseBlock& block : cached.blocks)
     {
-      if (i + 2 * ahead < records.size())
+      for (int lane = 0; lane < floatLanes; ++lane)
       {
-        prefetch(&this->tree.facets[records[i + 2 * ahead]->triangle]);
+        const NoiseFacet& facet = this->tree.facets[block.triangle[lane]];
+        block.place(lane, noiseTriangleAt(this->positions, facet.corners, facet.area),
+          noiseWeights(noiseCellOf(block.cell[lane]), block.id[lane]), cached.frame);
       }
-      if (i + ahead < records.size())
-      {
-        const glm::ivec3& corners = this->tree.facets[records[i + ahead]->triangle].corners;
-        prefetch(&this->positions[corners.x]);
-        prefetch(&this->positions[corners.y]);
-        prefetch(&this->positions[corners.z]);
-      }
-      const NoiseRecord& record = *records[i];
-      NoiseCell cell;
-      if (record.cell > 0)
-      {
-        cell = noiseChild(cell, record.cell - 1);
-      }
-      this->emitPoint({ record.triangle, noiseWeights(cell, record.id), record.birth, record.id },
-        projection, output);
     }
   }
 
-  void emitCell(
-    const NoiseVisit& visit, const NoiseProjection& projection, NoiseOutput& output) const
+  // weightsOf: of the point of a lane.
+  template <class Weights>
+  void emitBlock(const NoiseBlock& block, const NoiseBlockView& view, const EmissionTask& task,
+    NoiseOutput& output, Weights&& weightsOf) const
+  {
+    NoiseImages images;
+    projectNoiseBlock(view, block, images);
+    const bool controlled = task.projection.isControlled();
+    for (int lane = 0; lane < block.count; ++lane)
+    {
+      const bool drawn = controlled ? !std::signbit(images.seen[lane]) : images.weight[lane] > 0.0f;
+      if (drawn && !(task.hidden && isHidden(*task.hidden, images, lane)))
+      {
+        this->emitPoint(block, images, lane, task.projection, output, weightsOf);
+      }
+    }
+  }
+
+  static bool isHidden(const NoiseOcclusion& occlusion, const NoiseImages& images, int lane)
+  {
+    const float slope = std::sqrt(
+      images.slopeX[lane] * images.slopeX[lane] + images.slopeY[lane] * images.slopeY[lane]);
+    return occlusion.hides(images.x[lane], images.y[lane], images.depth[lane], slope);
+  }
+
+  template <class Weights>
+  void emitPoint(const NoiseBlock& block, const NoiseImages& images, int lane,
+    const NoiseProjection& projection, NoiseOutput& output, Weights&& weightsOf) const
+  {
+    NoisePoint point;
+    point.triangle = this->tree.facets[block.triangle[lane]].index;
+    point.id = block.id[lane];
+    NoiseKernelOptions::Control control;
+    double weight = static_cast<double>(images.weight[lane]);
+    if (output.wantsPoints || projection.isControlled())
+    {
+      point.weights = weightsOf(lane);
+      point.birth = static_cast<double>(block.birth[lane]) / (this->unit * this->unit);
+      control = projection.control(point);
+      weight = projection.weight(images, block, lane, control);
+    }
+    NoiseKernel kernel;
+    if (weight > 0.0 && projection.placeKernel(images, lane, point, control, weight, kernel))
+    {
+      kernel.object = this->objects.empty() ? 0 : this->objects[point.triangle];
+      output.add(kernel, point);
+    }
+  }
+
+  void emitCell(const NoiseVisit& visit, const EmissionTask& task, NoiseOutput& output) const
   {
     const double area = this->tree.facets[visit.triangle].area;
     const std::int32_t shared = noiseSharedOctave(area);
     if (shared > visit.octaveBelow)
     {
-      this->emitBatch(visit, noiseSharedBatch(visit.cell.key, area), projection, output);
+      this->emitBatch(visit, noiseSharedBatch(visit.cell.key, area), task, output);
     }
     for (std::int32_t octave = std::max(shared, visit.octaveBelow) + 1;
          octave <= visit.octave && powerOfTwo(octave) < visit.density; ++octave)
     {
       // A leaf may own octaves in which the triangle is cut, but cells come only after those.
       assert(noiseCellDepth(area, octave) == visit.cell.depth);
-      this->emitBatch(visit, noiseBatch(visit.cell, area, octave), projection, output);
+      this->emitBatch(visit, noiseBatch(visit.cell, area, octave), task, output);
     }
   }
 
-  void emitBatch(const NoiseVisit& visit, const NoiseBatch& batch,
-    const NoiseProjection& projection, NoiseOutput& output) const
+  void emitBatch(const NoiseVisit& visit, const NoiseBatch& batch, const EmissionTask& task,
+    NoiseOutput& output) const
   {
     const double lowest = lowestBirthAbove(visit.octaveBelow);
+    const NoiseFacet& facet = this->tree.facets[visit.triangle];
+    const NoiseTriangle triangle = noiseTriangleAt(this->positions, facet.corners, facet.area);
+    const glm::dvec2 corner = visit.cell.corners[0];
+    const NoiseFrame frame = { triangle.origin + corner.x * triangle.u + corner.y * triangle.v,
+      this->unit };
+    const NoiseBlockView view = task.projection.movedTo(task.view, frame);
+    NoiseBlock block{};
+    const auto flush = [&]
+    {
+      this->emitBlock(block, view, task, output,
+        [&](int lane) { return noiseWeights(visit.cell, block.id[lane]); });
+      block.count = 0;
+    };
     for (int i = 0; i < batch.count; ++i)
     {
       const std::uint64_t id = batch.id(i);
       const double birth = batch.birth(id);
       if (birth >= lowest && birth < visit.density)
       {
-        this->emitPoint(
-          { visit.triangle, noiseWeights(visit.cell, id), birth, id }, projection, output);
+        const int lane = block.count++;
+        block.place(lane, triangle, noiseWeights(visit.cell, id), frame);
+        block.birth[lane] = static_cast<float>(birth * this->unit * this->unit);
+        block.id[lane] = id;
+        block.triangle[lane] = visit.triangle;
+        if (block.count == floatLanes)
+        {
+          flush();
+        }
       }
     }
-  }
-
-  // The triangle of `point` is in the order of the tree.
-  void emitPoint(NoisePoint point, const NoiseProjection& projection, NoiseOutput& output) const
-  {
-    const NoiseFacet& facet = this->tree.facets[point.triangle];
-    point.triangle = facet.index;
-    NoiseKernel kernel;
-    if (projection.makeKernel(
-          noiseTriangleAt(this->positions, facet.corners, facet.area), point, kernel))
-    {
-      kernel.object = this->objects.empty() ? 0 : this->objects[point.triangle];
-      output.add(kernel, point);
-    }
+    flush();
   }
 
   // Counts what was made for these visits, and drops what is over the budget.
@@ -268,6 +339,11 @@ NoiseSurface::NoiseSurface(const TriangleMesh& reference, Span<const std::uint64
   this->data->objects.assign(objects.begin(), objects.end());
   this->data->positions = reference.points;
   this->data->cache.resize(this->data->tree.nodes.size());
+  if (!this->data->tree.nodes.empty())
+  {
+    const double radius = this->data->tree.nodes.back().sphere.radius;
+    this->data->unit = radius > 0.0 ? powerOfTwo(binaryExponent(radius)) : 1.0;
+  }
 }
 
 NoiseSurface::~NoiseSurface() = default;
@@ -283,6 +359,7 @@ void NoiseSurface::setPositions(Span<const glm::dvec3> positions)
   }
   placeNoiseSurfaceTree(this->data->tree, positions);
   this->data->positions = positions;
+  ++this->data->version;
 }
 
 std::vector<NoisePoint> NoiseSurface::points(double density) const
@@ -324,12 +401,19 @@ std::vector<NoiseKernel> NoiseSurface::kernels(
 }
 
 void NoiseSurface::kernels(const NoiseView& view, const NoiseKernelOptions& options,
-  std::vector<NoiseKernel>& result, std::vector<NoisePoint>* points)
+  std::vector<NoiseKernel>& result, std::vector<NoisePoint>* points, const NoiseOcclusion* hidden)
 {
   checkNoiseView(view);
   checkNoiseOptions(options);
   ++this->data->calls;
   const NoiseProjection projection(view, options);
+  NoiseFrame whole{ glm::dvec3(0.0), this->data->unit };
+  if (!this->data->tree.nodes.empty())
+  {
+    whole.origin = this->data->tree.nodes.back().sphere.center;
+  }
+  const NoiseBlockView blockView = projection.blockView(whole);
+  const EmissionTask task = { projection, blockView, hidden };
   const std::vector<NoiseVisit> visits =
     findNoiseVisits(this->data->tree, this->data->positions, projection);
   const auto count = static_cast<std::int64_t>(visits.size());
@@ -340,7 +424,7 @@ void NoiseSurface::kernels(const NoiseView& view, const NoiseKernelOptions& opti
     {
       for (std::int64_t i = begin; i < end; ++i)
       {
-        this->data->emit(visits[i], projection, outputs.parts[begin / visitGrain]);
+        this->data->emit(visits[i], task, outputs.parts[begin / visitGrain]);
       }
     });
   this->data->trim(visits);

@@ -80,6 +80,8 @@ struct NoiseKernelOptions
   glm::dvec2 bandwidthRange{ 0.5, 2.0 };
 };
 
+class NoiseOcclusion;
+
 class NoiseSurface
 {
 public:
@@ -108,9 +110,11 @@ public:
   // the mesh alone. Points of levels that were not met before are made here, and kept. Throws for a
   // view or options out of their ranges.
   std::vector<NoiseKernel> kernels(const NoiseView& view, const NoiseKernelOptions& options);
-  // The same into the memory of a frame before; `points`: the point of each kernel, if wanted.
+  // The same into the memory of a frame before; `points`: the point of each kernel, if wanted;
+  // hidden: leaves out kernels that nothing is seen of.
   void kernels(const NoiseView& view, const NoiseKernelOptions& options,
-    std::vector<NoiseKernel>& result, std::vector<NoisePoint>* points = nullptr);
+    std::vector<NoiseKernel>& result, std::vector<NoisePoint>* points = nullptr,
+    const NoiseOcclusion* hidden = nullptr);
 
   // Bytes that are held.
   std::size_t memory() const;

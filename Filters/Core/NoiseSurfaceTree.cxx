@@ -27,11 +27,12 @@ constexpr std::int64_t nodeGrain = 2048;
 // Rounding must not leave a corner outside.
 constexpr double looseness = 1.0 + 1e-12;
 
-// Octaves of a node: up to 24 points in the highest, but of a leaf up to 94, so that its triangles,
-// which come next, have several each.
+// Octaves of a node: up to 24 points in the highest, but of a leaf up to 375, so that its
+// triangles, which come next, have a dozen each. (One triangle that is nearly all of a leaf is cut
+// into 16 cells for them.)
 std::int32_t nodeOctave(double area, bool isLeaf)
 {
-  return (isLeaf ? 6 : 4) - noiseAreaExponent(area);
+  return (isLeaf ? 8 : 4) - noiseAreaExponent(area);
 }
 
 // The box around a leaf's corners, and the squares of its areas.

@@ -47,7 +47,7 @@ struct NoiseRecord
   std::uint64_t id = 0;
   double birth = 0.0;
   std::int32_t triangle = 0; // in the order of the tree
-  std::int32_t cell = 0;     // 0: the triangle; 1 to 4: its children
+  std::int32_t cell = 0;     // its number, see noiseChildNumber
 };
 
 // What is read of a triangle at once.

@@ -24,7 +24,8 @@ namespace
 std::uint16_t Fraction(float value)
 {
   constexpr float largest = 65535.0f;
-  return static_cast<std::uint16_t>(std::lround(largest * std::clamp(value, 0.0f, 1.0f)));
+  constexpr float half = 0.5f; // rounds
+  return static_cast<std::uint16_t>(largest * std::clamp(value, 0.0f, 1.0f) + half);
 }
 
 // Sums on the processors, and uploads the field.

@@ -8,6 +8,7 @@
 #include "NoiseForwardLayer.h"
 #include "NoiseInkSums.h"
 #include "NoiseLayer.h"
+#include "NoiseOcclusion.h"
 #include "NoiseVisibility.h"
 #include "PatternImageFile.h"
 #include "vtkNoiseControl.h"
@@ -195,7 +196,7 @@ void vtkNoiseLayerPainter::UpdateThresholds()
 }
 
 std::vector<hachure::NoiseKernel> vtkNoiseLayerPainter::Kernels(
-  const FieldScene& scene, const hachure::NoiseKernelOptions& options) const
+  const FieldScene& scene, const hachure::NoiseKernelOptions& options, bool isDepthAtHand) const
 {
   vtkPatternNoiseSurface& surface = *scene.Surface;
   hachure::NoiseView view;
@@ -203,10 +204,27 @@ std::vector<hachure::NoiseKernel> vtkNoiseLayerPainter::Kernels(
   view.viewportOrigin = { scene.Viewport[0], scene.Viewport[1] };
   view.viewportSize = { scene.Viewport[2], scene.Viewport[3] };
   const std::uint32_t seed = this->Layer->GetSeed();
-  return this->Layer->GetDistribution() == vtkNoiseLayer::CLASSIC
-    ? hachure::classicNoiseKernels(
-        surface.Mesh(), surface.TriangleIds(), surface.Objects(), seed, view, options)
-    : surface.Points(seed).kernels(view, options);
+  if (this->Layer->GetDistribution() == vtkNoiseLayer::CLASSIC)
+  {
+    return hachure::classicNoiseKernels(
+      surface.Mesh(), surface.TriangleIds(), surface.Objects(), seed, view, options);
+  }
+  std::vector<hachure::NoiseKernel> kernels;
+  if (!isDepthAtHand)
+  {
+    surface.Points(seed).kernels(view, options, kernels);
+    return kernels;
+  }
+  hachure::NoiseSurroundings around;
+  around.rectangle = scene.Rectangle;
+  around.depth = scene.LookAtDepth();
+  around.depthTolerance = this->DepthTolerance(scene);
+  around.depthTest = this->Layer->GetDepthTest();
+  around.partialVisibility = this->Layer->GetPartialVisibility();
+  const double largest = options.control ? 1.0 / options.bandwidthRange.x : 1.0;
+  const hachure::NoiseOcclusion hidden(around, static_cast<float>(largest * options.radius));
+  surface.Points(seed).kernels(view, options, kernels, nullptr, &hidden);
+  return kernels;
 }
 
 float vtkNoiseLayerPainter::DepthTolerance(const FieldScene& scene) const
@@ -242,9 +260,11 @@ std::string vtkNoiseLayerPainter::DrawField(const FieldScene& scene, int channel
   const vtkNoiseControl control(this->Layer, scene, channel);
   hachure::NoiseKernelOptions options = this->KernelOptions();
   control.Apply(options);
-  const std::vector<hachure::NoiseKernel> kernels = this->Kernels(scene, options);
-  // A graphics card may not take so many kernels; the processors always do.
   const int backEnd = this->FinalQuality ? int(vtkPatternMapper::CPU) : scene.NoiseBackEnd;
+  // Reading depths back from a graphics card takes longer than kernels that are hidden.
+  const std::vector<hachure::NoiseKernel> kernels =
+    this->Kernels(scene, options, backEnd == vtkPatternMapper::CPU);
+  // A graphics card may not take so many kernels; the processors always do.
   if (!this->DrawWith(backEnd, scene, kernels))
   {
     this->DrawWith(vtkPatternMapper::CPU, scene, kernels);
@@ -283,7 +303,7 @@ std::string vtkNoiseLayerPainter::DrawForwardField(const FieldScene& scene, int 
   std::string problem = control.GetProblem();
   vtkNoiseKernelBuffers::Content content = { {}, scene.Rectangle, this->DepthTolerance(scene),
     this->Layer->GetDepthTest(), false, false, false, this->FieldOptions() };
-  const std::vector<hachure::NoiseKernel> kernels = this->Kernels(scene, options);
+  const std::vector<hachure::NoiseKernel> kernels = this->Kernels(scene, options, false);
   content.Kernels = kernels;
   if (!this->ForwardKernels.Upload(this->Window, content))
   {

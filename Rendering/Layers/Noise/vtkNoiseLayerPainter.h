@@ -49,8 +49,9 @@ private:
   void UpdateThresholds();
   hachure::NoiseFieldOptions FieldOptions() const;
   hachure::NoiseKernelOptions KernelOptions() const;
-  std::vector<hachure::NoiseKernel> Kernels(
-    const FieldScene& scene, const hachure::NoiseKernelOptions& options) const;
+  // isDepthAtHand: kernels that the depth hides are left out.
+  std::vector<hachure::NoiseKernel> Kernels(const FieldScene& scene,
+    const hachure::NoiseKernelOptions& options, bool isDepthAtHand) const;
   std::string InkText() const;
   float DepthTolerance(const FieldScene& scene) const;
   bool DrawWith(

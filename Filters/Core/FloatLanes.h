@@ -113,6 +113,25 @@ HACHURE_INLINED FloatLanes keepWhere(const FloatLanes& test, const FloatLanes& v
   return chooseLanes(test, values, FloatLanes{});
 }
 
+// Values where the bits of `mask` are set: all or none of each.
+HACHURE_INLINED FloatLanes maskLanes(const std::int32_t* mask, const FloatLanes& values)
+{
+  FloatLanes result;
+#if defined(__GNUC__)
+  IntLanes bits, kept;
+  std::memcpy(&bits, mask, sizeof(bits));
+  std::memcpy(&kept, &values, sizeof(kept));
+  kept &= bits;
+  std::memcpy(&result, &kept, sizeof(result));
+#else
+  for (int lane = 0; lane < floatLanes; ++lane)
+  {
+    result[lane] = mask[lane] ? values[lane] : 0.0f;
+  }
+#endif
+  return result;
+}
+
 HACHURE_INLINED FloatLanes fillLanes(float value)
 {
 #if defined(__GNUC__)

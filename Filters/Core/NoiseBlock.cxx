@@ -99,8 +99,7 @@ HACHURE_INLINED FloatLanes fadeLanes(
   const FloatLanes& density, const FloatLanes& birth, float inverseFade)
 {
   const FloatLanes octaves = logarithmLanes(density / (birth + leastNumber));
-  const FloatLanes t = limitLanes(octaves * inverseFade, 1.0f);
-  return t * t * (3.0f - 2.0f * t);
+  return limitLanes(octaves * inverseFade, 1.0f);
 }
 
 // Changes of depth per pixel, none steeper than the steepest. area: of the image.

@@ -14,8 +14,9 @@ double noiseFadeWeight(double density, double birth, double fade)
   {
     return 0.0;
   }
-  const double t = std::min(1.0, std::log2(density / birth) / fade);
-  return t * t * (3.0 - 2.0 * t);
+  // Of all curves a straight one changes the picture least while it zooms: it has the smallest mean
+  // of squared changes.
+  return std::min(1.0, std::log2(density / birth) / fade);
 }
 
 double noiseFadeShare(double fade)
@@ -28,7 +29,7 @@ double noiseFadeShare(double fade)
   for (int i = 0; i <= steps; ++i)
   {
     const double t = static_cast<double>(i) / steps;
-    const double weight = t * t * (3.0 - 2.0 * t);
+    const double weight = t;
     const double factor = i == 0 || i == steps ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
     sum += factor * weight * weight * std::exp(-rate * t);
   }

@@ -41,8 +41,9 @@ struct NoiseSurroundings
   Span<const std::int32_t> objects; // block seen
   Span<const std::int32_t> triangles; // triangle seen
   // A pixel counts as on the kernel's plane if it is nearer to it than this much window depth, > 0,
-  // plus noiseSlopeTolerance times the kernel's depth slope times the distance from its centre.
-  // From once to twice that it fades. noiseDepthToleranceFor has what suits a curved surface.
+  // plus noiseSlopeTolerance times the kernel's depth slope times the square of the distance from
+  // its centre over its radius. From once to twice that it fades. noiseDepthToleranceFor has what
+  // suits a curved surface.
   float depthTolerance = 1e-4f;
   bool depthTest = true;         // pixels off the kernel's plane are not drawn to
   bool partialVisibility = true; // a kernel counts by the share of its disc that is seen

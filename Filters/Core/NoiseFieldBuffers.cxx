@@ -62,6 +62,9 @@ void TileSums::copyKnown(const NoiseSurroundings& surroundings)
   copyPart(surroundings.depth, surroundings.rectangle, 1.0f, *this, this->depth);
   copyPart(surroundings.objects, surroundings.rectangle, 0, *this, this->objects);
   copyPart(surroundings.triangles, surroundings.rectangle, 0, *this, this->triangles);
+  this->seen.resize(this->depth.size());
+  std::transform(this->depth.begin(), this->depth.end(), this->seen.begin(),
+    [](float value) { return value < 1.0f ? -1 : 0; });
   this->isKnown = true;
 }
 

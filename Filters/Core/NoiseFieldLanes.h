@@ -43,18 +43,25 @@ HACHURE_INLINED FloatLanes seenLanes(const FloatLanes& depth)
   return 0.99999994f - depth; // the largest number below 1
 }
 
-// Of pixels at these squared distances from a kernel's centre.
-HACHURE_INLINED FloatLanes depthToleranceLanes(
-  const FloatLanes& square, float slope, float tolerance)
+// How far a deviation of depth is on its way from once to twice the tolerance, 0 to 1; and the
+// weight that leaves.
+HACHURE_INLINED FloatLanes depthExcessLanes(
+  const FloatLanes& deviation, const FloatLanes& tolerance)
 {
-  return rootLanes(square) * (glsl::noiseSlopeTolerance * slope) + tolerance;
+  const FloatLanes beyond = magnitudeLanes(deviation) / tolerance - 1.0f;
+  const FloatLanes rest = 1.0f - keepWhere(beyond, beyond);
+  return 1.0f - keepWhere(rest, rest);
+}
+
+HACHURE_INLINED FloatLanes excessWeightLanes(const FloatLanes& excess)
+{
+  return 1.0f - excess * excess * (3.0f - 2.0f * excess);
 }
 
 HACHURE_INLINED FloatLanes depthWeightLanes(
   const FloatLanes& deviation, const FloatLanes& tolerance)
 {
-  const FloatLanes x = limitLanes(2.0f - magnitudeLanes(deviation) / tolerance, 1.0f);
-  return x * x * (3.0f - 2.0f * x);
+  return excessWeightLanes(depthExcessLanes(deviation, tolerance));
 }
 
 // Magnitude of the angle of (x, y) over pi: 0 to 1, within 1e-7.

@@ -58,7 +58,7 @@ struct Surroundings
     }
     const glm::dvec2 slope(kernel.depthSlope);
     const double tolerance = this->known.depthTolerance +
-      glsl::noiseSlopeTolerance * glm::length(slope) * glm::length(offset);
+      glsl::noiseSlopeTolerance * glm::length(slope) * glm::dot(offset, offset) / radiusOf(kernel);
     const double deviation =
       this->known.depth[pixel] - static_cast<double>(kernel.depth) - glm::dot(slope, offset);
     const double x = std::clamp(2.0 - std::abs(deviation) / tolerance, 0.0, 1.0);
@@ -107,10 +107,11 @@ Share shareOf(const NoiseKernel& kernel, const Surroundings& surroundings)
       const double inside = std::max(1.0 - glm::dot(offset, offset) / (radius * radius), 0.0);
       all += inside * inside;
       seen += inside * inside * visible;
-      result.complete = result.complete && visible == 1.0;
+      result.complete = result.complete && (visible == 1.0 || !surroundings.seen(pixel));
     }
   }
-  return all > 0.0 ? Share{ seen / all, result.complete } : Share{ 1.0, false };
+  const double shown = std::clamp((seen / std::max(all, 1e-30) - 0.1) / 0.9, 0.0, 1.0);
+  return all > 0.0 ? Share{ shown, result.complete } : Share{ 1.0, false };
 }
 
 double spotAt(const NoiseSpot& spot, glm::dvec2 place)

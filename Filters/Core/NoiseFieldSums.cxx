@@ -44,43 +44,74 @@ HACHURE_INLINED Window windowOf(const TileKernel& kernel, const TileSums& sums)
   return result;
 }
 
-// Factors of the rows of a window, which include the weight.
+// What hides a kernel's pixels.
+struct Tests
+{
+  bool depth, objects, triangles;
+  float tolerance;
+};
+
+enum class Tested
+{
+  nothing,
+  depth, // alone
+  all
+};
+
+// Factors of the rows of a window, which include the weight, and what the test of depth adds up
+// from rows and columns.
 struct Rows
 {
   alignas(32) float cosine[mostRows];
   alignas(32) float sine[mostRows];
   alignas(32) float energy[mostRows];
   alignas(32) float square[mostRows]; // of half the chord's length
-  alignas(32) float offset[mostRows];
+  alignas(32) float depth[mostRows];
+  alignas(32) float tolerance[mostRows];
 };
 
-HACHURE_INLINED void fillRows(const TileKernel& kernel, const Window& window, Rows& rows)
+// The tolerance of depth grows with the squared distance.
+HACHURE_INLINED float toleranceGrowth(const TileKernel& kernel)
+{
+  const float slope = std::sqrt(kernel.slopeX * kernel.slopeX + kernel.slopeY * kernel.slopeY);
+  return glsl::noiseSlopeTolerance * slope / kernel.radius;
+}
+
+template <Tested tested>
+HACHURE_INLINED void fillRows(
+  const TileKernel& kernel, const Tests& tests, const Window& window, Rows& rows)
 {
   const float start = static_cast<float>(window.bottom) + 0.5f;
+  const float growth = tested != Tested::nothing ? toleranceGrowth(kernel) : 0.0f;
   for (int row = 0; row < window.top - window.bottom; row += floatLanes)
   {
     const FloatLanes y = (laneNumbers() + (start + static_cast<float>(row))) - kernel.y;
-    const FloatLanes envelope = decayLanes(y * y * kernel.decay) * kernel.weight;
+    const FloatLanes square = y * y;
+    const FloatLanes envelope = decayLanes(square * kernel.decay) * kernel.weight;
     FloatLanes cosine, sine;
     turnLanes(y * kernel.turnY + kernel.turn, cosine, sine);
     storeLanes(envelope * cosine, rows.cosine + row);
     storeLanes(envelope * sine, rows.sine + row);
     storeLanes(envelope * envelope * 0.5f, rows.energy + row);
-    storeLanes(kernel.radius * kernel.radius - y * y, rows.square + row);
-    storeLanes(y, rows.offset + row);
+    storeLanes(kernel.radius * kernel.radius - square, rows.square + row);
+    if (tested != Tested::nothing)
+    {
+      storeLanes(y * kernel.slopeY, rows.depth + row);
+      storeLanes(square * growth + tests.tolerance, rows.tolerance + row);
+    }
   }
 }
 
 // Factors of eight columns.
 struct Columns
 {
-  FloatLanes offset, square, cosine, sine, energy;
+  FloatLanes square, cosine, sine, energy, depth, tolerance;
 };
 
+template <Tested tested>
 HACHURE_INLINED void fillColumns(const TileKernel& kernel, int column, Columns& columns)
 {
   const FloatLanes x = (laneNumbers() + (static_cast<float>(column) + 0.5f)) - kernel.x;
-  columns.offset = x;
   columns.square = x * x;
   const FloatLanes envelope = decayLanes(columns.square * kernel.decay);
   FloatLanes cosine, sine;
@@ -88,6 +119,11 @@ HACHURE_INLINED void fillColumns(const TileKernel& kernel, int column, Columns& 
   columns.cosine = envelope * cosine;
   columns.sine = envelope * sine;
   columns.energy = envelope * envelope;
+  if (tested != Tested::nothing)
+  {
+    columns.depth = x * kernel.slopeX;
+    columns.tolerance = columns.square * toleranceGrowth(kernel);
+  }
 }
 
 // Rows [first, last) of the window that some columns have in common with the disc.
@@ -108,54 +144,47 @@ HACHURE_INLINED RowRange rowsOf(
   return { result.first - window.bottom, result.last - window.bottom };
 }
 
-// What hides a kernel's pixels.
-struct Tests
-{
-  bool depth, objects, triangles;
-  float tolerance;
-};
-
 // How much eight pixels count of a kernel. Where nothing is seen all count: there the noise goes
 // on, so that differences across a silhouette are those of the noise.
+template <Tested tested>
 HACHURE_INLINED FloatLanes passLanes(const TileKernel& kernel, const Tests& tests,
-  const Columns& columns, float y, const TileSums& sums, std::size_t place)
+  const Columns& columns, float rowDepth, float rowTolerance, const TileSums& sums,
+  std::size_t place)
 {
-  FloatLanes weight = fillLanes(1.0f);
-  if (tests.depth)
+  FloatLanes excess{};
+  if (tested == Tested::depth || tests.depth)
   {
-    const FloatLanes depth = loadLanes(&sums.depth[place]);
-    const FloatLanes deviation =
-      (depth - kernel.depth) - (columns.offset * kernel.slopeX + y * kernel.slopeY);
-    const float slope = std::sqrt(kernel.slopeX * kernel.slopeX + kernel.slopeY * kernel.slopeY);
-    weight = depthWeightLanes(
-      deviation, depthToleranceLanes(columns.square + y * y, slope, tests.tolerance));
+    // The difference of the depths first, which loses nothing.
+    excess =
+      depthExcessLanes((loadLanes(&sums.depth[place]) - kernel.depth) - (columns.depth + rowDepth),
+        columns.tolerance + rowTolerance);
   }
-  if (tests.objects)
+  if (tested == Tested::all && tests.objects)
   {
-    weight = keepEqual(&sums.objects[place], kernel.object, weight);
+    excess = 1.0f - keepEqual(&sums.objects[place], kernel.object, 1.0f - excess);
   }
-  if (tests.triangles)
+  if (tested == Tested::all && tests.triangles)
   {
-    weight = keepEqual(&sums.triangles[place], kernel.triangle, weight);
+    excess = 1.0f - keepEqual(&sums.triangles[place], kernel.triangle, 1.0f - excess);
   }
-  if (!sums.depth.empty())
+  if (tested == Tested::depth || !sums.seen.empty())
   {
-    weight = keepWhere(seenLanes(loadLanes(&sums.depth[place])), weight - 1.0f) + 1.0f;
+    excess = maskLanes(&sums.seen[place], excess);
   }
-  return weight;
+  return excessWeightLanes(excess);
 }
 
 // The kinds of kernels: each adds eight pixels of one row.
 struct Gabor
 {
-  template <bool tested>
+  template <Tested tested>
   static HACHURE_INLINED void add(
     const Columns& columns, const Rows& rows, int row, const FloatLanes& pass, float* first)
   {
     const FloatLanes inside = rows.square[row] - columns.square;
     FloatLanes value = columns.cosine * rows.cosine[row] - columns.sine * rows.sine[row];
     FloatLanes variance = columns.energy * rows.energy[row];
-    if (tested)
+    if (tested != Tested::nothing)
     {
       value = value * pass;
       variance = variance * (pass * pass);
@@ -167,14 +196,14 @@ struct Gabor
 
 struct Phasor
 {
-  template <bool tested>
+  template <Tested tested>
   static HACHURE_INLINED void add(
     const Columns& columns, const Rows& rows, int row, const FloatLanes& pass, float* first)
   {
     const FloatLanes inside = rows.square[row] - columns.square;
     FloatLanes real = columns.cosine * rows.cosine[row] - columns.sine * rows.sine[row];
     FloatLanes imaginary = columns.sine * rows.cosine[row] + columns.cosine * rows.sine[row];
-    if (tested)
+    if (tested != Tested::nothing)
     {
       real = real * pass;
       imaginary = imaginary * pass;
@@ -185,14 +214,14 @@ struct Phasor
 };
 
 // Some groups of eight columns at a time, which share what is read of the rows.
-template <class Kind, bool tested, int groups>
+template <class Kind, Tested tested, int groups>
 HACHURE_INLINED void addColumns(const TileKernel& kernel, const Tests& tests, const Window& window,
   const Rows& rows, int column, TileSums& sums)
 {
   Columns columns[groups];
   for (int group = 0; group < groups; ++group)
   {
-    fillColumns(kernel, column + group * floatLanes, columns[group]);
+    fillColumns<tested>(kernel, column + group * floatLanes, columns[group]);
   }
   const RowRange range = rowsOf(kernel, window, column, groups * floatLanes);
   float* first = &sums.sums[sums.place(column, window.bottom + range.first)];
@@ -202,10 +231,10 @@ HACHURE_INLINED void addColumns(const TileKernel& kernel, const Tests& tests, co
     {
       float* const to = first + group * floatLanes;
       FloatLanes pass{};
-      if (tested)
+      if (tested != Tested::nothing)
       {
-        pass =
-          passLanes(kernel, tests, columns[group], rows.offset[row], sums, to - sums.sums.data());
+        pass = passLanes<tested>(kernel, tests, columns[group], rows.depth[row],
+          rows.tolerance[row], sums, to - sums.sums.data());
       }
       Kind::template add<tested>(columns[group], rows, row, pass, to);
     }
@@ -213,12 +242,12 @@ HACHURE_INLINED void addColumns(const TileKernel& kernel, const Tests& tests, co
   }
 }
 
-template <class Kind, bool tested>
+template <class Kind, Tested tested>
 HACHURE_INLINED void addKernel(const TileKernel& kernel, const Tests& tests, TileSums& sums)
 {
   const Window window = windowOf(kernel, sums);
   Rows rows;
-  fillRows(kernel, window, rows);
+  fillRows<tested>(kernel, tests, window, rows);
   int column = window.left;
   for (; column + floatLanes < window.right; column += 2 * floatLanes)
   {
@@ -273,7 +302,7 @@ HACHURE_INLINED FloatLanes spotRow(
     across * scaleY + (0.5f * spot.height + 0.5f));
 }
 
-template <bool tested>
+template <Tested tested>
 HACHURE_INLINED void addSpot(
   const TileKernel& kernel, const Tests& tests, const SpotTexels& spot, TileSums& sums)
 {
@@ -282,19 +311,23 @@ HACHURE_INLINED void addSpot(
   const float weight = quarter > 0.25f && quarter < 0.75f ? -kernel.weight : kernel.weight;
   for (int column = window.left; column < window.right; column += floatLanes)
   {
+    const FloatLanes x = (laneNumbers() + (static_cast<float>(column) + 0.5f)) - kernel.x;
     Columns columns;
-    columns.offset = (laneNumbers() + (static_cast<float>(column) + 0.5f)) - kernel.x;
-    columns.square = columns.offset * columns.offset;
+    columns.square = x * x;
+    columns.depth = x * kernel.slopeX;
+    columns.tolerance = columns.square * toleranceGrowth(kernel);
     const RowRange range = rowsOf(kernel, window, column, floatLanes);
     for (int row = window.bottom + range.first; row < window.bottom + range.last; ++row)
     {
       const std::size_t place = sums.place(column, row);
       const float y = static_cast<float>(row) + 0.5f - kernel.y;
       const FloatLanes inside = (kernel.radius * kernel.radius - y * y) - columns.square;
-      FloatLanes value = spotRow(spot, kernel, columns.offset, y) * weight;
-      if (tested)
+      FloatLanes value = spotRow(spot, kernel, x, y) * weight;
+      if (tested != Tested::nothing)
       {
-        value = value * passLanes(kernel, tests, columns, y, sums, place);
+        value = value *
+          passLanes<tested>(kernel, tests, columns, y * kernel.slopeY,
+            y * y * toleranceGrowth(kernel) + tests.tolerance, sums, place);
       }
       addLanes(keepWhere(inside, value), &sums.sums[place]);
       addLanes(keepWhere(inside, value * value), &sums.sums[place + TileSums::toSecond]);
@@ -315,18 +348,18 @@ struct Entries
 // Kernels that are on their way from memory.
 constexpr std::int64_t ahead = 6;
 
-// Which tests a kernel needs, and whether any.
-HACHURE_INLINED bool chooseTests(
+// Which tests a kernel needs.
+HACHURE_INLINED Tested chooseTests(
   const Entries& entries, const TileKernel& kernel, TileSums& sums, Tests& tests)
 {
   tests = entries.tests;
   tests.depth = tests.depth && !kernel.onPlane;
-  const bool any = tests.depth || tests.objects || tests.triangles;
-  if (any && !sums.isKnown)
+  const bool others = tests.objects || tests.triangles;
+  if ((tests.depth || others) && !sums.isKnown)
   {
     sums.copyKnown(*entries.surroundings);
   }
-  return any;
+  return others ? Tested::all : tests.depth ? Tested::depth : Tested::nothing;
 }
 
 template <class Kind>
@@ -337,13 +370,17 @@ HACHURE_INLINED void addKernels(const Entries& entries, TileSums& sums)
     const TileKernel& kernel = entries.kernels[entries.order[i]];
     prefetch(&entries.kernels[entries.order[std::min(i + ahead, entries.count - 1)]]);
     Tests tests;
-    if (chooseTests(entries, kernel, sums, tests))
+    switch (chooseTests(entries, kernel, sums, tests))
     {
-      addKernel<Kind, true>(kernel, tests, sums);
-    }
-    else
-    {
-      addKernel<Kind, false>(kernel, tests, sums);
+      case Tested::nothing:
+        addKernel<Kind, Tested::nothing>(kernel, tests, sums);
+        break;
+      case Tested::depth:
+        addKernel<Kind, Tested::depth>(kernel, tests, sums);
+        break;
+      case Tested::all:
+        addKernel<Kind, Tested::all>(kernel, tests, sums);
+        break;
     }
   }
 }
@@ -368,13 +405,13 @@ void sumSpots(const Entries& entries, const SpotTexels& spot, TileSums& sums)
     const TileKernel& kernel = entries.kernels[entries.order[i]];
     prefetch(&entries.kernels[entries.order[std::min(i + ahead, entries.count - 1)]]);
     Tests tests;
-    if (chooseTests(entries, kernel, sums, tests))
+    if (chooseTests(entries, kernel, sums, tests) == Tested::nothing)
     {
-      addSpot<true>(kernel, tests, spot, sums);
+      addSpot<Tested::nothing>(kernel, tests, spot, sums);
     }
     else
     {
-      addSpot<false>(kernel, tests, spot, sums);
+      addSpot<Tested::all>(kernel, tests, spot, sums);
     }
   }
 }

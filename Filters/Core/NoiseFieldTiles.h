@@ -76,6 +76,7 @@ struct TileSums
   bool isKnown = false;
   std::vector<float> depth;
   std::vector<std::int32_t> objects, triangles;
+  std::vector<std::int32_t> seen; // all bits where something is, none elsewhere
 
   // Makes room for a tile, with sums of 0.
   void prepare(const NoiseSurroundings& surroundings, const Tile& tile, int margin);

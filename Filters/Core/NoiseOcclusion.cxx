@@ -91,7 +91,7 @@ NoiseOcclusion::NoiseOcclusion(const NoiseSurroundings& surroundings, float radi
   this->width = static_cast<float>(surroundings.rectangle[2]) / cellSize;
   this->height = static_cast<float>(surroundings.rectangle[3]) / cellSize;
   // Of a plane and its tolerance, which both grow with the distance from the centre.
-  this->steepening = 1.001f * reach * (1.0f + 2.0f * glsl::noiseSlopeTolerance);
+  this->steepening = 1.001f * reach * (1.0f + 2.0f * glsl::noiseSlopeTolerance * reach / radius);
   this->tolerance = 2.001f * surroundings.depthTolerance + 1e-6f;
   Cells cells = farthestInCells(surroundings, static_cast<std::size_t>(cellSize));
   this->columns = cells.columns;

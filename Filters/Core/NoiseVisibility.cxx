@@ -68,13 +68,15 @@ struct SampleSums
   float known, seen, missing;
 };
 
-// A disc of this radius over samples of one step: rows [beginRow, endRow), eight columns.
+// A disc of this radius over samples of one step: rows [beginRow, endRow), and groups of eight
+// columns that begin before lastColumn. All are indices of samples.
 struct Disc
 {
   const NoiseVisibility::Samples* samples;
   const NoiseKernel* kernel;
-  float radius, reach, tolerance, slope;
-  int column, beginRow, endRow; // indices of samples
+  float radius, reach, tolerance;
+  float growth; // of the tolerance with the squared distance
+  int firstColumn, lastColumn, beginRow, endRow;
 };
 
 HACHURE_INLINED float sumOf(const FloatLanes& x)
@@ -82,86 +84,66 @@ HACHURE_INLINED float sumOf(const FloatLanes& x)
   return ((x[0] + x[4]) + (x[1] + x[5])) + ((x[2] + x[6]) + (x[3] + x[7]));
 }
 
-// Eight samples of one row.
-struct SampleRow
+// Sums over eight samples of every row.
+struct LaneSums
 {
-  FloatLanes square; // of their distances from the centre
-  FloatLanes depth, deviation;
-  std::size_t place;
-  float y;
+  FloatLanes known, seen, missing;
 };
 
-HACHURE_INLINED FloatLanes columnsOf(const Disc& disc)
-{
-  const auto step = static_cast<float>(disc.samples->step);
-  const auto first = static_cast<float>(disc.samples->firstColumn + disc.column);
-  return laneNumbers() * step + (first * step + 0.5f) - disc.kernel->center.x;
-}
-
-HACHURE_INLINED void fillRow(const Disc& disc, const FloatLanes& x, int row, SampleRow& result)
+HACHURE_INLINED void addColumns(const Disc& disc, int column, LaneSums& sums)
 {
   const NoiseVisibility::Samples& samples = *disc.samples;
   const NoiseKernel& kernel = *disc.kernel;
-  const float y =
-    static_cast<float>((samples.firstRow + row) * samples.step) + 0.5f - kernel.center.y;
-  result.y = y;
-  result.place = static_cast<std::size_t>(row) * samples.columns + disc.column;
-  result.square = x * x + y * y;
-  result.depth = loadLanes(&samples.depth[result.place]);
-  result.deviation =
-    (result.depth - kernel.depth) - (x * kernel.depthSlope.x + y * kernel.depthSlope.y);
-}
-
-// Whether all samples are known and on the plane for certain: a quick test that most kernels pass,
-// with tolerances that are a little too small, |x| + |y| being at most 1.42 times the distance.
-HACHURE_WIDE_CLONES
-bool isComplete(const Disc& disc)
-{
-  const FloatLanes x = columnsOf(disc);
-  const float slope = 0.7f * glsl::noiseSlopeTolerance * disc.slope;
-  const FloatLanes along = magnitudeLanes(x) * slope + disc.tolerance;
-  FloatLanes worst{};
+  const auto step = static_cast<float>(samples.step);
+  const auto first = static_cast<float>(samples.firstColumn + column);
+  const FloatLanes x = laneNumbers() * step + (first * step + 0.5f) - kernel.center.x;
+  const FloatLanes planeX = x * kernel.depthSlope.x;
+  const float inverseSquare = 1.0f / (disc.radius * disc.radius);
   for (int row = disc.beginRow; row < disc.endRow; ++row)
   {
-    SampleRow line;
-    fillRow(disc, x, row, line);
-    const FloatLanes spare = along + std::abs(line.y) * slope - magnitudeLanes(line.deviation);
-    FloatLanes test = eitherNegative(spare, seenLanes(line.depth));
-    if (!disc.samples->objects.empty())
+    const std::size_t place = static_cast<std::size_t>(row) * samples.columns + column;
+    const float y =
+      static_cast<float>((samples.firstRow + row) * samples.step) + 0.5f - kernel.center.y;
+    const FloatLanes square = x * x + y * y;
+    const FloatLanes depth = loadLanes(&samples.depth[place]);
+    FloatLanes excess =
+      depthExcessLanes((depth - kernel.depth) - (planeX + y * kernel.depthSlope.y),
+        square * disc.growth + disc.tolerance);
+    if (!samples.objects.empty())
     {
-      test =
-        eitherNegative(test, equalLanes(&disc.samples->objects[line.place], disc.kernel->object));
+      excess = 1.0f - keepEqual(&samples.objects[place], kernel.object, 1.0f - excess);
     }
-    worst = eitherNegative(worst, keepWhere(disc.reach * disc.reach - line.square, test));
+    const FloatLanes there = seenLanes(depth);
+    const FloatLanes weight = keepWhere(there, excessWeightLanes(excess));
+    FloatLanes share = 1.0f - square * inverseSquare;
+    share = keepWhere(eitherNegative(1.0f - depth, share), share * share);
+    sums.known = sums.known + share;
+    sums.seen = sums.seen + share * weight;
+    const FloatLanes near = eitherNegative(there, disc.reach * disc.reach - square);
+    sums.missing = sums.missing + keepWhere(near, excess);
   }
-  return !anyNegative(worst);
 }
 
 HACHURE_WIDE_CLONES
 void sumSamples(const Disc& disc, SampleSums& result)
 {
-  const FloatLanes x = columnsOf(disc);
-  const float inverseSquare = 1.0f / (disc.radius * disc.radius);
-  FloatLanes known{}, seen{}, missing{};
-  for (int row = disc.beginRow; row < disc.endRow; ++row)
+  LaneSums sums{};
+  int column = disc.firstColumn;
+  do
   {
-    SampleRow line;
-    fillRow(disc, x, row, line);
-    FloatLanes weight = depthWeightLanes(
-      line.deviation, depthToleranceLanes(line.square, disc.slope, disc.tolerance));
-    weight = keepWhere(seenLanes(line.depth), weight);
-    if (!disc.samples->objects.empty())
-    {
-      weight = keepEqual(&disc.samples->objects[line.place], disc.kernel->object, weight);
-    }
-    FloatLanes share = 1.0f - line.square * inverseSquare;
-    share = keepWhere(1.0f - line.depth, keepWhere(share, share * share));
-    const FloatLanes near = keepWhere(disc.reach * disc.reach - line.square, 1.0f - weight);
-    known = known + share;
-    seen = seen + share * weight;
-    missing = missing + keepWhere(1.0f - line.depth, near);
-  }
-  result = { sumOf(known), sumOf(seen), sumOf(missing) };
+    addColumns(disc, column, sums);
+    column += floatLanes;
+  } while (column < disc.lastColumn);
+  result = { sumOf(sums.known), sumOf(sums.seen), sumOf(sums.missing) };
+}
+
+// Whole steps at or above a place, counted from the first sample.
+int samplesFrom(float place, float inverseStep, int first, int count)
+{
+  const float steps = (place - 0.5f) * inverseStep - static_cast<float>(first);
+  const float inside = std::min(std::max(steps, 0.0f), static_cast<float>(count));
+  const auto whole = static_cast<int>(inside);
+  return whole + (static_cast<float>(whole) < inside ? 1 : 0);
 }
 
 } // namespace
@@ -206,50 +188,27 @@ NoiseShare NoiseVisibility::share(const NoiseKernel& kernel, float radius) const
   }
   const Samples& wanted = this->samples[static_cast<std::size_t>(this->stepOf(radius))];
   const auto step = static_cast<float>(wanted.step);
+  const float inverse = 1.0f / step;
   // Disturbances are known before they reach the disc.
   const float reach = radius + 0.5f * step;
-  // Whole steps at or above a place, counted from the first sample.
-  const auto from = [&](float place, int first, int count)
-  {
-    const float steps = (place - 0.5f) / step - static_cast<float>(first);
-    const float inside = std::clamp(steps, 0.0f, static_cast<float>(count));
-    const auto whole = static_cast<int>(inside);
-    return whole + (static_cast<float>(whole) < inside ? 1 : 0);
-  };
   const glm::vec2 slope = kernel.depthSlope;
-  Disc disc = { &wanted, &kernel, radius, reach, this->tolerance,
-    std::sqrt(slope.x * slope.x + slope.y * slope.y),
-    from(kernel.center.x - reach, wanted.firstColumn, wanted.columns - floatLanes),
-    from(kernel.center.y - reach, wanted.firstRow, wanted.rows),
-    from(kernel.center.y + reach, wanted.firstRow, wanted.rows) };
   // Eight columns hold the samples of a disc, unless every pixel is one. Beyond the last eight
   // nothing is known.
-  const int first = disc.column;
-  const int last = std::min(from(kernel.center.x + reach, wanted.firstColumn, wanted.columns),
-    wanted.columns - floatLanes + 1);
-  const auto next = [&] { return (disc.column += floatLanes) < last; };
-  bool complete = isComplete(disc);
-  while (complete && next())
-  {
-    complete = isComplete(disc);
-  }
-  if (complete)
-  {
-    return { 1.0f, true };
-  }
-  disc.column = first;
+  const int lastGroup = wanted.columns - floatLanes;
+  const Disc disc = { &wanted, &kernel, radius, reach, this->tolerance,
+    glsl::noiseSlopeTolerance * std::sqrt(slope.x * slope.x + slope.y * slope.y) / radius,
+    samplesFrom(kernel.center.x - reach, inverse, wanted.firstColumn, lastGroup),
+    std::min(samplesFrom(kernel.center.x + reach, inverse, wanted.firstColumn, wanted.columns),
+      lastGroup + 1),
+    samplesFrom(kernel.center.y - reach, inverse, wanted.firstRow, wanted.rows),
+    samplesFrom(kernel.center.y + reach, inverse, wanted.firstRow, wanted.rows) };
   SampleSums sums{};
-  do
-  {
-    SampleSums part{};
-    sumSamples(disc, part);
-    sums = { sums.known + part.known, sums.seen + part.seen, sums.missing + part.missing };
-  } while (next());
+  sumSamples(disc, sums);
   if (!(sums.known > 0.0f))
   {
     return { 1.0f, false };
   }
-  return { std::min(sums.seen / sums.known, 1.0f), sums.missing == 0.0f };
+  return { glsl::noiseShownShare(sums.seen / sums.known), sums.missing == 0.0f };
 }
 
 float noiseDepthToleranceFor(float radius, float depthPerPixel)

@@ -14,8 +14,10 @@ namespace hachure
 // How much of a kernel's disc is seen.
 struct NoiseShare
 {
-  float seen = 1.0f;    // 0 to 1
-  bool complete = true; // all of the disc, as far as its samples tell, and a little around it
+  float seen = 1.0f; // 0 to 1, by noiseShownShare
+  // Whether all that is seen in the disc, as far as its samples tell, and a little around it lies
+  // on the kernel's plane.
+  bool complete = true;
 };
 
 // Partial visibility from a depth image alone (after Cole & Finkelstein 2008): the share of a

@@ -187,8 +187,8 @@ TEST(NoiseSurface, ZoomKeepsTheOverlapWithoutPops)
   NoiseKernelOptions options = smallKernels();
   options.overlap = 16.0;
   const double step = 1.01;
-  // Smoothstep rises by 1.5 over one octave of density; twice as many octaves as of the zoom.
-  const double largest = 1.5 * 2.0 * std::log2(step) / options.fade;
+  // From 0 to 1 over one octave of density; twice as many octaves as of the zoom.
+  const double largest = 2.0 * std::log2(step) / options.fade;
   std::map<std::uint64_t, float> before;
   double highest = 0.0;
   for (double zoom = 2.0; zoom < 16.0; zoom *= step)

@@ -7,10 +7,11 @@
 // Exponent of the envelope at the rim, where it is 5 %: -log(.05).
 const float noiseRimExponent = 2.99573227f;
 
-// Share of the change along a kernel's plane by which a pixel may lie off it, so that what is
-// curved counts. On a sphere of a radius of 4 kernel radii or more no pixel is lost but the last
-// one before the silhouette.
-const float noiseSlopeTolerance = 0.5f;
+// Share of the change along a kernel's plane, from its centre to its rim, by which a pixel at the rim
+// may lie off it, so that what is curved counts: a curved surface leaves its tangent plane with the
+// square of the distance. On a sphere of a radius of 4 kernel radii or more no pixel is lost but the
+// last one before the silhouette.
+const float noiseSlopeTolerance = 1.0f;
 
 // Expected variance (of kernels of weight 1 to 2.7 for N' = 32) and squared amplitude of a phasor
 // below which there is hardly any kernel: the field becomes flat instead of being amplified.
@@ -55,11 +56,12 @@ float gaborKernel(vec2 offset, float frequency, float bandwidth, float orientati
   return phasorKernel(offset, frequency, bandwidth, orientation, phase).x;
 }
 
-// Depth by which a pixel at this distance from the centre may lie off the kernel's plane, which
-// changes by `slope` per pixel, and still be on it. tolerance: of a surface that faces the viewer.
-float noiseDepthTolerance(float distance, float slope, float tolerance)
+// Depth by which a pixel at this squared distance from the centre may lie off the kernel's plane,
+// which changes by `slope` per pixel, and still be on it. tolerance: of a surface that faces the
+// viewer.
+float noiseDepthTolerance(float distanceSquared, float slope, float radius, float tolerance)
 {
-  return tolerance + noiseSlopeTolerance * slope * distance;
+  return tolerance + noiseSlopeTolerance * slope * distanceSquared / max(radius, 1.0e-30f);
 }
 
 // How much a pixel counts whose depth deviates from the kernel's plane: 1 up to the tolerance, 0
@@ -70,14 +72,14 @@ float noiseDepthWeight(float deviation, float tolerance)
   return x * x * (3.0f - 2.0f * x);
 }
 
-// The same for a pixel at an offset from the centre of a kernel's plane: its depth there, and the
-// change of that per pixel (yz).
-float noisePlaneWeight(vec2 offset, float depth, vec3 plane, float tolerance)
+// The same for a pixel at an offset from the centre of a kernel's plane: its depth there, the change
+// of that per pixel (yz), and the kernel's radius.
+float noisePlaneWeight(vec2 offset, float depth, vec4 plane, float tolerance)
 {
   vec2 slope = vec2(plane.y, plane.z);
   float deviation = depth - plane.x - dot(offset, slope);
-  return noiseDepthWeight(
-    deviation, noiseDepthTolerance(length(offset), length(slope), tolerance));
+  return noiseDepthWeight(deviation,
+    noiseDepthTolerance(dot(offset, offset), length(slope), plane.w, tolerance));
 }
 
 // One kernel as shaders hold it.
@@ -131,6 +133,13 @@ float noiseSampleWeight(float distanceSquared, float radius)
 {
   float x = max(1.0f - distanceSquared / max(radius * radius, 1.0e-30f), 0.0f);
   return x * x;
+}
+
+// Weight of a kernel of whose disc this share is seen. Faint kernels cost as much as others, and add
+// next to nothing: with less than a tenth they are not drawn.
+float noiseShownShare(float seen)
+{
+  return clamp((seen - 0.1f) / 0.9f, 0.0f, 1.0f);
 }
 
 // Pixels between the samples of a disc of this radius, in both directions: 13 to 28 samples from a

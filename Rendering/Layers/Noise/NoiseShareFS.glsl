@@ -52,18 +52,18 @@ void main()
         ivec2 here = ivec2(pixel - hachureNoiseRectangle.xy);
         float depth = hachureNoiseDepthAt(here);
         float weight = depth < 1.0
-          ? noisePlaneWeight(offset, depth, kernel.plane.xyz, hachureNoiseShape.x)
+          ? noisePlaneWeight(offset, depth, kernel.plane, hachureNoiseShape.x)
           : 0.0;
         bool other = hachureNoiseTests.z > 0.5 && hachureNoiseIdsAt(here).x != object;
         weight = other ? 0.0 : weight;
         float share = noiseSampleWeight(square, radius);
         known += share;
         seen += share * weight;
-        missing += 1.0 - weight;
+        missing += depth < 1.0 ? 1.0 - weight : 0.0;
       }
     }
   }
-  vec2 result = known > 0.0 ? vec2(min(seen / known, 1.0), missing == 0.0 ? 1.0 : 0.0)
+  vec2 result = known > 0.0 ? vec2(noiseShownShare(seen / known), missing == 0.0 ? 1.0 : 0.0)
                             : vec2(1.0, 0.0);
   gl_FragData[0] = vec4(result, 0.0, 1.0);
 }

@@ -82,7 +82,7 @@ vec2 hachureNoiseAdd@(PackedKernel kernel, vec4 own, vec2 pixel, float depth, ve
   {
     if (hachureNoiseTests@.x > 0.5 && own.w < 0.5)
     {
-      share *= noisePlaneWeight(offset, depth, kernel.plane.xyz, hachureNoiseShape@.x);
+      share *= noisePlaneWeight(offset, depth, kernel.plane, hachureNoiseShape@.x);
     }
     vec2 differs = hachureNoiseTests@.zw * abs(own.xy - ids);
     share = differs.x + differs.y > 0.0 ? 0.0 : share;

@@ -141,10 +141,11 @@ private:
 class NodePoints
 {
 public:
-  NodePoints(const NoiseSurfaceTree& surfaceTree, std::int64_t node, std::int32_t octaveBelow)
+  NodePoints(const NoiseSurfaceTree& surfaceTree, std::int64_t node, std::int32_t octaveBelow,
+    std::int32_t octave)
     : tree(surfaceTree)
     , lowest(octaveBelow)
-    , highest(surfaceTree.nodes[node].octave)
+    , highest(octave)
   {
     int level = 0;
     while (node >= surfaceTree.levelFirst[level + 1])
@@ -230,9 +231,9 @@ std::vector<NoiseVisit> findNoiseVisits(
 }
 
 std::vector<NoiseRecord> makeNodePoints(
-  const NoiseSurfaceTree& tree, std::int64_t node, std::int32_t octaveBelow)
+  const NoiseSurfaceTree& tree, std::int64_t node, std::int32_t octaveBelow, std::int32_t octave)
 {
-  return NodePoints(tree, node, octaveBelow).records;
+  return NodePoints(tree, node, octaveBelow, octave).records;
 }
 
 } // namespace hachure

@@ -33,10 +33,10 @@ inline double lowestBirthAbove(std::int32_t octave)
 std::vector<NoiseVisit> findNoiseVisits(const NoiseSurfaceTree& tree,
   Span<const glm::dvec3> positions, const NoiseProjection& projection);
 
-// The points of a node in the octaves in which triangles have counts of their own; the node owns
-// those above `octaveBelow`.
+// The points of a node in the octaves in which triangles have counts of their own, up to one that
+// the node owns; it owns those above `octaveBelow`.
 std::vector<NoiseRecord> makeNodePoints(
-  const NoiseSurfaceTree& tree, std::int64_t node, std::int32_t octaveBelow);
+  const NoiseSurfaceTree& tree, std::int64_t node, std::int32_t octaveBelow, std::int32_t octave);
 
 } // namespace hachure
 

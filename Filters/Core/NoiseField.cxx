@@ -302,11 +302,28 @@ void noise::checkNoiseInput(const NoiseSurroundings& surroundings, const NoiseFi
   }
 }
 
+NoiseFieldMemory::NoiseFieldMemory()
+  : data(std::make_unique<Data>())
+{
+}
+
+NoiseFieldMemory::~NoiseFieldMemory() = default;
+NoiseFieldMemory::NoiseFieldMemory(NoiseFieldMemory&&) noexcept = default;
+NoiseFieldMemory& NoiseFieldMemory::operator=(NoiseFieldMemory&&) noexcept = default;
+
 NoiseField noiseField(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
   const NoiseFieldOptions& options)
 {
-  noise::checkNoiseInput(surroundings, options);
   NoiseField result;
+  NoiseFieldMemory memory;
+  noiseField(kernels, surroundings, options, result, memory);
+  return result;
+}
+
+void noiseField(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
+  const NoiseFieldOptions& options, NoiseField& result, NoiseFieldMemory& memory)
+{
+  noise::checkNoiseInput(surroundings, options);
   result.value.assign(pixelCount(surroundings), 0.0f);
   result.width.assign(pixelCount(surroundings), leastWidth);
   const bool phasor = options.kind == NoiseKind::phasor;
@@ -321,10 +338,9 @@ NoiseField noiseField(Span<const NoiseKernel> kernels, const NoiseSurroundings& 
       static_cast<float>(distribution->share.size() - 1), noise::lowestVariance(options), 0.0f };
   }
   table.leastWidth = static_cast<float>(options.smoothness);
-  noise::forTiles(kernels, surroundings, options, 1,
+  noise::forTiles(kernels, surroundings, options, 1, *memory.data,
     [&](const noise::Tile& tile, noise::TileSums& sums)
     { finishTile(surroundings, table, phasor, tile, sums, result); });
-  return result;
 }
 
 NoiseSums noiseSums(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
@@ -336,7 +352,8 @@ NoiseSums noiseSums(Span<const NoiseKernel> kernels, const NoiseSurroundings& su
   result.x.assign(pixelCount(surroundings), 0.0f);
   std::vector<float>& second = phasor ? result.y : result.z;
   second.assign(pixelCount(surroundings), 0.0f);
-  noise::forTiles(kernels, surroundings, options, 0,
+  NoiseFieldMemory memory;
+  noise::forTiles(kernels, surroundings, options, 0, *memory.data,
     [&](const noise::Tile& tile, noise::TileSums& sums)
     {
       std::size_t place = 0;

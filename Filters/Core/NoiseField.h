@@ -74,6 +74,23 @@ struct NoiseField
 NoiseField noiseField(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
   const NoiseFieldOptions& options);
 
+// What noiseField needs from frame to frame, so that a moving picture asks for no memory.
+class NoiseFieldMemory
+{
+public:
+  NoiseFieldMemory();
+  ~NoiseFieldMemory();
+  NoiseFieldMemory(NoiseFieldMemory&&) noexcept;
+  NoiseFieldMemory& operator=(NoiseFieldMemory&&) noexcept;
+
+  struct Data;
+  std::unique_ptr<Data> data;
+};
+
+// The same into the memory of a frame before.
+void noiseField(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
+  const NoiseFieldOptions& options, NoiseField& result, NoiseFieldMemory& memory);
+
 // Sums before they are made uniform: what all back ends must agree on. Gabor and spot: the sum (x)
 // and its expected variance, sum of weight^2 envelope^2 / 2 (z; of a spot weight^2 spot^2); phasor:
 // the real (x) and imaginary part (y). 0 where nothing is seen. What does not apply is empty.

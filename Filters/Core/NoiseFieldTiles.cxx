@@ -287,37 +287,32 @@ std::int64_t placeEntries(
   return sum;
 }
 
-// The tiles that the kernels of a chunk meet, one kernel after the other.
-struct Chunk
+// Prepares kernels [begin, end) and counts them for their tiles.
+void fillEntries(Span<const NoiseKernel> from, std::int64_t begin, std::int64_t end,
+  const Binning& binning, Span<const std::int32_t> index, TiledKernels& tiled, std::int64_t* counts,
+  TileEntries& entries)
 {
-  std::vector<std::uint32_t> tiles;
-  std::vector<std::uint32_t> kernels; // of each entry
-
-  // Prepares kernels [begin, end) and counts them for their tiles.
-  void fill(Span<const NoiseKernel> from, std::int64_t begin, std::int64_t end,
-    const Binning& binning, Span<const std::int32_t> index, TiledKernels& tiled,
-    std::int64_t* counts)
+  entries.tiles.clear();
+  entries.kernels.clear();
+  entries.tiles.reserve(2 * kernelsPerChunk);
+  entries.kernels.reserve(2 * kernelsPerChunk);
+  for (std::int64_t i = begin; i < end; ++i)
   {
-    this->tiles.reserve(2 * kernelsPerChunk);
-    this->kernels.reserve(2 * kernelsPerChunk);
-    for (std::int64_t i = begin; i < end; ++i)
-    {
-      TileKernel& kernel = tiled.kernels[i];
-      prepare(from[i], binning, kernel);
-      forReachedTiles(kernel, binning.grid,
-        [&](std::size_t place)
+    TileKernel& kernel = tiled.kernels[i];
+    prepare(from[i], binning, kernel);
+    forReachedTiles(kernel, binning.grid,
+      [&](std::size_t place)
+      {
+        const std::int32_t tile = index[place];
+        if (tile >= 0 && meets(kernel, tiled.tiles[tile], binning.grid.margin))
         {
-          const std::int32_t tile = index[place];
-          if (tile >= 0 && meets(kernel, tiled.tiles[tile], binning.grid.margin))
-          {
-            this->tiles.push_back(static_cast<std::uint32_t>(tile));
-            this->kernels.push_back(static_cast<std::uint32_t>(i));
-            ++counts[tile];
-          }
-        });
-    }
+          entries.tiles.push_back(static_cast<std::uint32_t>(tile));
+          entries.kernels.push_back(static_cast<std::uint32_t>(i));
+          ++counts[tile];
+        }
+      });
   }
-};
+}
 
 } // namespace
 
@@ -329,45 +324,54 @@ bool isDrawable(const NoiseKernel& kernel)
   return std::isfinite(sum) && kernel.weight > 0.0f && kernel.bandwidth > 0.0f;
 }
 
-TiledKernels tileKernels(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
-  const NoiseFieldOptions& options, int margin)
+void tileKernels(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
+  const NoiseFieldOptions& options, int margin, TiledKernels& result)
 {
   const Grid grid(surroundings, margin);
-  TiledKernels result;
+  result.tiles.clear();
   const std::vector<std::int32_t> index = seenTiles(surroundings, grid, result.tiles);
   const NoiseVisibility visibility(surroundings, kernels);
   const Binning binning = { visibility, surroundings, grid, options.kind == NoiseKind::spot };
   const auto total = static_cast<std::int64_t>(kernels.size());
   const std::int64_t chunks = divideUp(total, kernelsPerChunk);
-  std::vector<std::int64_t> counts(static_cast<std::size_t>(chunks) * result.tiles.size(), 0);
-  std::vector<Chunk> entries(static_cast<std::size_t>(chunks));
-  result.kernels.reset(new TileKernel[kernels.size()]);
+  result.counts.assign(static_cast<std::size_t>(chunks) * result.tiles.size(), 0);
+  if (result.entries.size() < static_cast<std::size_t>(chunks))
+  {
+    result.entries.resize(static_cast<std::size_t>(chunks));
+  }
+  if (result.capacity < kernels.size())
+  {
+    result.capacity = kernels.size() + kernels.size() / 4;
+    result.kernels.reset(new TileKernel[result.capacity]);
+  }
   const auto countsOf = [&](std::int64_t chunk)
-  { return counts.data() + static_cast<std::size_t>(chunk) * result.tiles.size(); };
+  { return result.counts.data() + static_cast<std::size_t>(chunk) * result.tiles.size(); };
   parallelForRanges(total, kernelsPerChunk,
     [&](std::int64_t begin, std::int64_t end)
     {
       const std::int64_t chunk = begin / kernelsPerChunk;
-      entries[chunk].fill(kernels, begin, end, binning, index, result, countsOf(chunk));
+      fillEntries(
+        kernels, begin, end, binning, index, result, countsOf(chunk), result.entries[chunk]);
     });
-  result.order.resize(placeEntries(counts, chunks, result.tiles));
+  result.order.resize(placeEntries(result.counts, chunks, result.tiles));
   parallelForRanges(chunks, 1,
     [&](std::int64_t chunk, std::int64_t)
     {
       std::int64_t* const places = countsOf(chunk);
-      for (std::size_t i = 0; i < entries[chunk].tiles.size(); ++i)
+      const TileEntries& entries = result.entries[chunk];
+      for (std::size_t i = 0; i < entries.tiles.size(); ++i)
       {
-        result.order[places[entries[chunk].tiles[i]]++] = entries[chunk].kernels[i];
+        result.order[places[entries.tiles[i]]++] = entries.kernels[i];
       }
     });
-  return result;
 }
 
 void forTiles(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
-  const NoiseFieldOptions& options, int margin,
+  const NoiseFieldOptions& options, int margin, NoiseFieldMemory::Data& memory,
   const std::function<void(const Tile&, TileSums&)>& finish)
 {
-  const TiledKernels tiled = tileKernels(kernels, surroundings, options, margin);
+  const TiledKernels& tiled = memory.tiled;
+  tileKernels(kernels, surroundings, options, margin, memory.tiled);
   std::optional<SpotTexels> spot;
   if (options.kind == NoiseKind::spot)
   {
@@ -377,10 +381,12 @@ void forTiles(Span<const NoiseKernel> kernels, const NoiseSurroundings& surround
   // Whoever is free takes the next tile: some have many kernels and most have few.
   const auto total = static_cast<std::int64_t>(tiled.tiles.size());
   std::atomic<std::int64_t> next{ 0 };
-  parallelForRanges(std::min<std::int64_t>(maximumThreads(), total), 1,
-    [&](std::int64_t, std::int64_t)
+  const std::int64_t threads = std::min<std::int64_t>(maximumThreads(), total);
+  memory.sums.resize(std::max(memory.sums.size(), static_cast<std::size_t>(threads)));
+  parallelForRanges(threads, 1,
+    [&](std::int64_t thread, std::int64_t)
     {
-      TileSums sums;
+      TileSums& sums = memory.sums[thread];
       for (std::int64_t i = next++; i < total; i = next++)
       {
         sumTile(task, tiled.tiles[i], margin, sums);

@@ -45,11 +45,22 @@ struct Tile
   std::int32_t object = 0;
 };
 
+// The tiles that some kernels meet, one kernel after the other.
+struct TileEntries
+{
+  std::vector<std::uint32_t> tiles;
+  std::vector<std::uint32_t> kernels; // of each entry
+};
+
 struct TiledKernels
 {
   std::unique_ptr<TileKernel[]> kernels;
+  std::size_t capacity = 0;
   std::vector<Tile> tiles; // those with something seen in them
   std::vector<std::uint32_t> order;
+  // To make them: entries of every chunk of kernels, and how many of each tile.
+  std::vector<TileEntries> entries;
+  std::vector<std::int64_t> counts;
 };
 
 // A spot ready to be sampled: mean 0, with one more texel on every side.
@@ -106,18 +117,24 @@ bool isDrawable(const NoiseKernel& kernel);
 // Variance that is hardly any; of phasors it has no meaning.
 float lowestVariance(const NoiseFieldOptions& options);
 
-// Kernels of the rectangle's tiles, grown by `margin` pixels.
-TiledKernels tileKernels(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
-  const NoiseFieldOptions& options, int margin);
+// Kernels of the rectangle's tiles, grown by `margin` pixels, into memory of a frame before.
+void tileKernels(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
+  const NoiseFieldOptions& options, int margin, TiledKernels& result);
 
 // Sums of one tile. `sums` is reused from tile to tile.
 void sumTile(const TileTask& task, const Tile& tile, int margin, TileSums& sums);
 
 // Calls finish(tile, sums) for all tiles, in parallel.
 void forTiles(Span<const NoiseKernel> kernels, const NoiseSurroundings& surroundings,
-  const NoiseFieldOptions& options, int margin,
+  const NoiseFieldOptions& options, int margin, NoiseFieldMemory::Data& memory,
   const std::function<void(const Tile&, TileSums&)>& finish);
 
 } // namespace hachure::noise
+
+struct hachure::NoiseFieldMemory::Data
+{
+  noise::TiledKernels tiled;
+  std::vector<noise::TileSums> sums; // of every thread
+};
 
 #endif

@@ -25,16 +25,17 @@ namespace
 
 constexpr std::int64_t visitGrain = 16;
 constexpr std::int64_t triangleGrain = 4096;
-constexpr std::size_t defaultBudget = std::size_t{ 64 } << 20;
+constexpr std::size_t defaultBudget = std::size_t{ 256 } << 20;
 
 // Points of a node, by their births, where the surface was at some time.
 struct CachedPoints
 {
   std::vector<NoiseBlock> blocks;
   NoiseFrame frame;
-  std::uint64_t version = 0; // of the positions
+  std::int32_t octave = noNoiseOctave; // up to this one
+  std::uint64_t version = 0;           // of the positions
   std::uint64_t lastCall = 0;
-  bool isCounted = false;
+  std::size_t countedBytes = 0;
 
   std::size_t bytes() const
   {
@@ -89,7 +90,11 @@ struct NoiseSurface::Data
     if (!cached)
     {
       cached = std::make_unique<CachedPoints>();
-      this->fillBlocks(visit, *cached);
+    }
+    const std::int32_t wanted = std::min(visit.octave, binaryExponent(visit.density));
+    if (cached->octave < wanted)
+    {
+      this->fillBlocks(visit, wanted, *cached);
     }
     if (cached->version != this->version)
     {
@@ -109,22 +114,24 @@ struct NoiseSurface::Data
     }
   }
 
-  // The points that the node owns.
-  void fillBlocks(const NoiseVisit& visit, CachedPoints& cached) const
+  // The points that the node owns, up to an octave.
+  void fillBlocks(const NoiseVisit& visit, std::int32_t octave, CachedPoints& cached) const
   {
     const std::uint32_t first = this->tree.sharedFirst[visit.node];
     const std::uint32_t last = this->tree.sharedFirst[visit.node + 1];
     std::vector<NoiseRecord> records;
-    if (this->tree.nodes[visit.node].shared < visit.octave)
+    if (this->tree.nodes[visit.node].shared < octave)
     {
-      records = makeNodePoints(this->tree, visit.node, visit.octaveBelow);
+      records = makeNodePoints(this->tree, visit.node, visit.octaveBelow, octave);
     }
     records.insert(
       records.end(), this->tree.shared.begin() + first, this->tree.shared.begin() + last);
     std::sort(records.begin(), records.end(),
       [](const NoiseRecord& a, const NoiseRecord& b)
       { return a.birth != b.birth ? a.birth < b.birth : a.id < b.id; });
-    cached.blocks.resize((records.size() + floatLanes - 1) / floatLanes);
+    cached.octave = octave;
+    cached.version = 0;
+    cached.blocks.assign((records.size() + floatLanes - 1) / floatLanes, {});
     for (std::size_t i = 0; i < cached.blocks.size() * floatLanes; ++i)
     {
       NoiseBlock& block = cached.blocks[i / floatLanes];
@@ -263,10 +270,10 @@ struct NoiseSurface::Data
     for (const NoiseVisit& visit : visits)
     {
       CachedPoints* cached = visit.node >= 0 ? this->cache[visit.node].get() : nullptr;
-      if (cached && !cached->isCounted)
+      if (cached && cached->countedBytes != cached->bytes())
       {
-        cached->isCounted = true;
-        this->cacheBytes += cached->bytes();
+        this->cacheBytes += cached->bytes() - cached->countedBytes;
+        cached->countedBytes = cached->bytes();
       }
     }
     if (this->cacheBytes > this->budget)
@@ -290,7 +297,7 @@ struct NoiseSurface::Data
     for (std::size_t i = 0; i < byAge.size() && this->cacheBytes > target; ++i)
     {
       std::unique_ptr<CachedPoints>& cached = this->cache[byAge[i].second];
-      this->cacheBytes -= cached->bytes();
+      this->cacheBytes -= cached->countedBytes;
       cached.reset();
     }
   }

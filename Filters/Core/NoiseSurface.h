@@ -120,7 +120,7 @@ public:
   std::size_t memory() const;
 
   // Bytes that points may take which kernels() made; those that were not met for longest are
-  // dropped, and made again, equal, when they are. Default 64 MiB.
+  // dropped, and made again, equal, when they are. Default 256 MiB.
   void setMemoryBudget(std::size_t bytes);
 
 private:

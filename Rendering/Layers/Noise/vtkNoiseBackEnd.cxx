@@ -43,20 +43,24 @@ public:
     around.depthTest = task.DepthTest;
     around.partialVisibility = task.PartialVisibility;
     around.everyPixel = task.EveryPixel;
-    Upload(window, hachure::noiseField(task.Kernels, around, task.Field), task.Rectangle, field);
+    hachure::noiseField(task.Kernels, around, task.Field, this->Field, this->Memory);
+    this->Upload(window, task.Rectangle, field);
     return true;
   }
 
 private:
   // As the tiles of image patterns are stored: 32 bits a texel are fast in software OpenGL.
-  static void Upload(vtkOpenGLRenderWindow* window, const hachure::NoiseField& field,
-    const std::array<int, 4>& rectangle, vtkTextureObject* texture)
+  void Upload(
+    vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle, vtkTextureObject* texture)
   {
-    std::vector<std::uint16_t> texels(2 * field.value.size());
-    for (std::size_t i = 0; i < field.value.size(); ++i)
+    const std::vector<float>& values = this->Field.value;
+    const std::vector<float>& widths = this->Field.width;
+    std::vector<std::uint16_t>& texels = this->Texels;
+    texels.resize(2 * values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
     {
-      texels[2 * i] = Fraction(field.value[i]);
-      texels[2 * i + 1] = Fraction(field.width[i] / hachure::glsl::tileGradientRange);
+      texels[2 * i] = Fraction(values[i]);
+      texels[2 * i + 1] = Fraction(widths[i] * (1.0f / hachure::glsl::tileGradientRange));
     }
     texture->SetContext(window);
     texture->SetMinificationFilter(vtkTextureObject::Nearest);
@@ -64,6 +68,10 @@ private:
     texture->Create2DFromRaw(static_cast<unsigned int>(rectangle[2]),
       static_cast<unsigned int>(rectangle[3]), 2, VTK_UNSIGNED_SHORT, texels.data());
   }
+
+  hachure::NoiseFieldMemory Memory;
+  hachure::NoiseField Field;
+  std::vector<std::uint16_t> Texels;
 };
 
 constexpr double notDrawn = 1e30; // seconds

@@ -323,6 +323,20 @@ bool vtkPatternMapper::DrawsPatterns(vtkRenderer* renderer, vtkActor* actor)
     vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) != nullptr;
 }
 
+// ParaView gives the tracked mapper its surface with the first picture of full detail.
+vtkPatternMapper* vtkPatternMapper::GetSteeringMapper()
+{
+  if (!this->TrackedMapper)
+  {
+    return this;
+  }
+  const auto blocks = vtkPattern::Blocks(this->TrackedMapper->GetInputDataObject(0, 0));
+  const bool known = std::any_of(blocks.begin(), blocks.end(),
+    [](const vtkPattern::Block& block)
+    { return block.Data->GetNumberOfPolys() > 0 || block.Data->GetNumberOfStrips() > 0; });
+  return known ? this->TrackedMapper.Get() : this;
+}
+
 void vtkPatternMapper::Report(const std::string& error, std::string& reported)
 {
   if (!error.empty() && error != reported)
@@ -427,8 +441,9 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   this->Internal->ReportedNote = note;
 
   const bool lowDetail = this->TrackedMapper != nullptr;
-  vtkPatternMapper* steering = lowDetail ? this->TrackedMapper.Get() : this;
-  auto* track = vtkPatternViewContext::Get(renderer)->Advance(steering, actor, viewport, lowDetail);
+  vtkPatternMapper* steering = this->GetSteeringMapper();
+  auto* track =
+    vtkPatternViewContext::Get(renderer)->Advance(steering, actor, viewport, steering != this);
   this->Report(track->Problem, this->Internal->ReportedProblem);
   part.Compositor.SetOctaves(track->Octaves);
   // One eye's picture tells nothing new of a view that was measured already.

@@ -82,8 +82,9 @@ public:
   ///@{
   /**
    * The mapper whose surface steers the patterns, where this one draws a stand-in of lower detail
-   * for the same actor: it looks on and never moves the patterns. Null (the default): its own.
-   * Not reference counted.
+   * for the same actor: it looks on and never moves the patterns. While that mapper has no surface
+   * yet, the stand-in's own steers its pictures. Null (the default): its own. Not reference
+   * counted.
    */
   virtual void SetTrackedMapper(vtkPatternMapper* mapper);
   virtual vtkPatternMapper* GetTrackedMapper();
@@ -242,6 +243,7 @@ private:
   struct WindowPart;
   struct Drawing;
   bool DrawsPatterns(vtkRenderer* renderer, vtkActor* actor);
+  vtkPatternMapper* GetSteeringMapper();
   void UpdateChannels();
   void UpdatePatches(std::string& error);
   void UpdateTextureCoordinates(bool needed);

@@ -235,7 +235,7 @@ vtkPatternViewContext::Track* vtkPatternViewContext::Advance(
   }
   try
   {
-    this->Predict(*track, viewport, lowDetail || viewport.IsTile);
+    this->Predict(*track, viewport, lowDetail);
   }
   catch (const std::exception& problem)
   {
@@ -289,7 +289,8 @@ bool vtkPatternViewContext::UpdateSamples(Track& track)
   return changed;
 }
 
-void vtkPatternViewContext::Predict(Track& track, const vtkPatternViewport& viewport, bool lookOn)
+void vtkPatternViewContext::Predict(
+  Track& track, const vtkPatternViewport& viewport, bool lowDetail)
 {
   vtkPatternStyle* style = track.Mapper->GetStyle();
   const bool changed = this->UpdateSamples(track);
@@ -310,7 +311,7 @@ void vtkPatternViewContext::Predict(Track& track, const vtkPatternViewport& view
     return;
   }
   const bool stereo = this->Renderer->GetRenderWindow()->GetStereoRender() != 0;
-  if (lookOn && !track.Tracker.drawn().empty())
+  if (lowDetail || (viewport.IsTile && !track.Tracker.drawn().empty()))
   {
     this->LookOn(track, samples, view, changed);
     return;
@@ -343,6 +344,7 @@ void vtkPatternViewContext::LookOn(Track& track, const hachure::TrackedSamples& 
     return;
   }
   hachure::PatternTracker copy(track.Tracker);
+  copy.setOptions(vtkPatternViewContext::OptionsOf(track.Mapper->GetStyle()));
   if (replaced)
   {
     HandOver(track, samples, view, copy);

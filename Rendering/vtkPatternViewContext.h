@@ -95,7 +95,7 @@ private:
   void Attach(vtkRenderer* renderer);
   void StartFrame();
   void EndFrame();
-  void Predict(Track& track, const vtkPatternViewport& viewport, bool lookOn);
+  void Predict(Track& track, const vtkPatternViewport& viewport, bool lowDetail);
   bool UpdateSamples(Track& track);
   void LookOn(Track& track, const hachure::TrackedSamples& samples,
     const hachure::ViewProjection& view, bool changed);

@@ -59,7 +59,9 @@ struct ViewProjection;
 #endif
 
 class vtkCameraInterpolator;
+class vtkPatternShaderInjector;
 class vtkPatternStyle;
+class vtkPolyData;
 class vtkShaderProgram;
 class vtkTable;
 
@@ -220,6 +222,11 @@ public:
   glm::dvec3 GetPatchOrigin() const;
   /// Whether the vertex buffers hold texture coordinates for the style.
   bool GetUsesTextureCoordinates() const;
+  /// Whether there are buffers of what tells blocks and triangles apart.
+  bool GetUsesPrimitiveIds() const;
+  /// See vtkPatternNoiseSurface.
+  void AppendPrimitiveIds(
+    vtkPolyData* block, const std::vector<vtkIdType>& cells, std::vector<float>& ids);
   std::vector<hachure::PatternFrame> AnchoredFrames(const hachure::TrackedSamples& samples,
     const hachure::ViewProjection& view, vtkRenderer* renderer);
 #endif
@@ -247,10 +254,12 @@ private:
   void UpdateChannels();
   void UpdatePatches(std::string& error);
   void UpdateTextureCoordinates(bool needed);
+  void UpdatePrimitiveIds(bool needed);
   void Report(const std::string& error, std::string& reported);
   void RenderOpaque(Drawing& drawing);
   void RenderForward(Drawing& drawing);
-  void DrawAttributes(Drawing& drawing);
+  void DrawAttributes(Drawing& drawing, vtkPatternShaderInjector* injector);
+  void PeelTones(Drawing& drawing);
   void UploadPatchRecords(Drawing& drawing);
   bool DrawFields(Drawing& drawing, const glm::dmat4& modelToClip, bool forward);
   bool HasRemainder(vtkActor* actor);

@@ -40,6 +40,12 @@ vtkInformationObjectBaseKey* ContextKey()
   return key;
 }
 
+unsigned long NextFrameNumber()
+{
+  static unsigned long last = 0;
+  return ++last;
+}
+
 // Time of a data set, not a number where it has none.
 double DataTimeOf(vtkDataObject* input)
 {
@@ -181,6 +187,7 @@ vtkPatternViewContext* vtkPatternViewContext::Get(vtkRenderer* renderer)
 void vtkPatternViewContext::Attach(vtkRenderer* renderer)
 {
   this->Renderer = renderer;
+  this->FrameNumber = NextFrameNumber();
   renderer->AddObserver(
     vtkCommand::StartEvent, this, &vtkPatternViewContext::StartFrame, startPriority);
   renderer->AddObserver(vtkCommand::EndEvent, this, &vtkPatternViewContext::EndFrame, endPriority);
@@ -215,7 +222,7 @@ void vtkPatternViewContext::Reanchor(vtkPatternMapper* mapper)
 
 void vtkPatternViewContext::StartFrame()
 {
-  ++this->FrameNumber;
+  this->FrameNumber = NextFrameNumber();
   const auto gone = [](const std::unique_ptr<Track>& track)
   { return !track->Mapper || !track->Actor; };
   this->Tracks.erase(

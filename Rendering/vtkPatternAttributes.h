@@ -26,9 +26,10 @@ struct vtkPatternAttributes
   };
 
   vtkPatternLayerPainter::SurfaceNeed Surface = vtkPatternLayerPainter::NOTHING;
-  bool Colors = false;  ///< the surface's own colours are part of the picture
-  bool Outline = false; ///< contours are found in the images
-  bool Patches = false; ///< patches are told apart
+  bool Colors = false;       ///< the surface's own colours are part of the picture
+  bool Outline = false;      ///< contours are found in the images
+  bool Patches = false;      ///< patches are told apart
+  bool PrimitiveIds = false; ///< blocks and triangles are, where a translucent surface is drawn
 
   bool Has(Image image) const
   {
@@ -65,7 +66,8 @@ struct vtkPatternAttributes
   bool operator==(const vtkPatternAttributes& other) const
   {
     return this->Surface == other.Surface && this->Colors == other.Colors &&
-      this->Outline == other.Outline && this->Patches == other.Patches;
+      this->Outline == other.Outline && this->Patches == other.Patches &&
+      this->PrimitiveIds == other.PrimitiveIds;
   }
 };
 

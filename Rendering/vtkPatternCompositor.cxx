@@ -201,6 +201,7 @@ vtkPatternAttributes vtkPatternCompositor::GetAttributes() const
   for (const Drawn& layer : this->Layers)
   {
     needed.Surface = std::max(needed.Surface, layer.Painter->GetSurfaceNeed());
+    needed.PrimitiveIds = needed.PrimitiveIds || layer.Painter->NeedsPrimitiveIds();
     needed.Patches = needed.Patches || (this->PatchCount > 1 && layer.Painter->FollowsPatches());
   }
   return needed;

@@ -102,22 +102,29 @@ std::string vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
     }
     return seen;
   };
-  std::vector<std::uint8_t> tones;
-  const auto lookAtTones = [&]() -> const std::vector<std::uint8_t>&
+  std::vector<FieldScene::ToneImage> tones;
+  const auto lookAtTones = [&]() -> const std::vector<FieldScene::ToneImage>&
   {
     if (tones.empty())
     {
-      tones = this->Resources.ReadTones(this->Window, this->Rectangle);
+      tones.push_back({ this->Resources.ReadTones(this->Window, this->Rectangle), {} });
     }
     return tones;
   };
-  return compositor.DrawFields(
-    { &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle, DepthPerPixel(*this),
-      this->NoiseBackEnd, this->Resources.SurfaceDepth, lookAtDepth, look, lookAtTones });
+  return compositor.DrawFields({ &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle,
+    DepthPerPixel(*this), this->NoiseBackEnd, this->Frame, this->Resources.SurfaceDepth,
+    lookAtDepth, look, lookAtTones });
 }
 
 std::string vtkPatternFieldStage::DrawForward(vtkPatternCompositor& compositor) const
 {
-  return compositor.DrawForwardFields({ &this->Surface, this->ModelToClip, this->Viewport,
-    this->Rectangle, DepthPerPixel(*this), this->NoiseBackEnd, nullptr, {}, {}, {} });
+  const std::vector<FieldScene::ToneImage>* tones = nullptr;
+  const auto lookAtTones = [&]() -> const std::vector<FieldScene::ToneImage>&
+  {
+    tones = tones ? tones : &this->PeelTones();
+    return *tones;
+  };
+  return compositor.DrawForwardFields(
+    { &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle, DepthPerPixel(*this),
+      this->NoiseBackEnd, this->Frame, nullptr, {}, {}, lookAtTones });
 }

@@ -7,11 +7,15 @@
 #ifndef vtkPatternFieldStage_h
 #define vtkPatternFieldStage_h
 
+#include "vtkPatternLayerPainter.h"
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <functional>
 #include <string>
+#include <vector>
 
 class vtkOpenGLRenderWindow;
 class vtkPatternCompositor;
@@ -28,6 +32,9 @@ struct vtkPatternFieldStage
   std::array<int, 4> Rectangle; // that the attribute stage has drawn
   glm::dvec3 Center;            // of the surface's bounds
   int NoiseBackEnd;             // as vtkNoiseBackEnd takes it
+  unsigned long Frame;          // of the renderer
+  /// Tones of a translucent surface, from the front; draws it to find them.
+  std::function<const std::vector<vtkPatternLayerPainter::FieldScene::ToneImage>&()> PeelTones;
 
   /// Draws the fields of all layers that need it. Returns what is wrong with the data, empty where
   /// all is well. Throws std::exception with the reason where nothing can be drawn.

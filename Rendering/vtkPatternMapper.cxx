@@ -31,6 +31,7 @@
 #include "vtkPatternShaderInjector.h"
 #include "vtkPatternStyle.h"
 #include "vtkPatternToneChannels.h"
+#include "vtkPatternTonePeel.h"
 #include "vtkPatternViewContext.h"
 #include "vtkPatternViewport.h"
 #include "vtkPatternWindowResources.h"
@@ -57,6 +58,7 @@ struct vtkPatternMapper::WindowPart
   vtkPatternCompositor Compositor;
   std::shared_ptr<vtkPatternWindowResources> Resources;
   vtkPatternScreenPass ScreenPass;
+  vtkPatternTonePeel TonePeel;
   vtkPatternPatchRecordBuffers PatchRecords;
   unsigned long PatchVersion = 0; // of the records in the buffer
 };
@@ -71,8 +73,11 @@ struct vtkPatternMapper::Internals
   vtkPatternNoiseSurface NoiseSurface;
   vtkTimeStamp ChannelTime;
   bool UsesTextureCoordinates = false; // once needed, they stay in the vertex buffers
+  bool UsesPrimitiveIds = false;       // the same
+  unsigned long IdentifiedCells = 0;   // of the noise's surface, whose ids the buffers hold
   std::map<vtkWindow*, WindowPart> Windows;
   vtkNew<vtkPatternShaderInjector> AttributeInjector;
+  vtkNew<vtkPatternShaderInjector> PeelInjector;
   vtkNew<vtkPatternShaderInjector> ForwardInjector;
   std::vector<double> KeyTimes;
   std::string ChannelError;
@@ -95,33 +100,45 @@ struct vtkPatternMapper::Drawing
   vtkPatternViewport Viewport;
   vtkPatternViewContext::Track* Track;
   bool Measures; // the visibility of the samples belongs to this drawing
-  std::array<int, 4> Rectangle = { 0, 0, 0, 0 }; // x, y, width, height in the framebuffer
+  std::array<int, 4> Rectangle = { 0, 0, 0, 0 };     // x, y, width, height in the framebuffer
+  std::vector<vtkPatternTonePeel::Image> Tones = {}; // of a translucent surface
 };
 
 namespace
 {
-// Puts an injector into an actor's render passes as long as it lives.
+// Puts an injector into an actor's render passes as long as it lives; alone: in place of the
+// others.
 class ScopedInjector
 {
 public:
-  ScopedInjector(vtkActor* actor, vtkPatternShaderInjector* injector)
+  ScopedInjector(vtkActor* actor, vtkPatternShaderInjector* injector, bool alone = false)
     : Actor(actor)
-    , Injector(injector)
   {
     if (!actor->GetPropertyKeys())
     {
       vtkNew<vtkInformation> keys;
       actor->SetPropertyKeys(keys);
     }
-    vtkOpenGLRenderPass::RenderPasses()->Append(actor->GetPropertyKeys(), injector);
+    vtkInformation* keys = actor->GetPropertyKeys();
+    auto* passes = vtkOpenGLRenderPass::RenderPasses();
+    for (int i = 0; i < passes->Length(keys); ++i)
+    {
+      this->Others.emplace_back(passes->Get(keys, i));
+    }
+    if (alone)
+    {
+      keys->Remove(passes);
+    }
+    passes->Append(keys, injector);
   }
   ~ScopedInjector()
   {
     vtkInformation* keys = this->Actor->GetPropertyKeys();
-    vtkOpenGLRenderPass::RenderPasses()->Remove(keys, this->Injector);
-    if (vtkOpenGLRenderPass::RenderPasses()->Length(keys) == 0)
+    auto* passes = vtkOpenGLRenderPass::RenderPasses();
+    keys->Remove(passes);
+    for (vtkObjectBase* other : this->Others)
     {
-      keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+      passes->Append(keys, other);
     }
   }
   ScopedInjector(const ScopedInjector&) = delete;
@@ -129,7 +146,7 @@ public:
 
 private:
   vtkActor* Actor;
-  vtkPatternShaderInjector* Injector;
+  std::vector<vtkSmartPointer<vtkObjectBase>> Others;
 };
 
 vtkPatternLayerPainter::Scene PainterScene(vtkRenderer* renderer, vtkActor* actor,
@@ -323,6 +340,20 @@ bool vtkPatternMapper::DrawsPatterns(vtkRenderer* renderer, vtkActor* actor)
     vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) != nullptr;
 }
 
+// ParaView gives the tracked mapper its surface with the first picture of full detail.
+vtkPatternMapper* vtkPatternMapper::GetSteeringMapper()
+{
+  if (!this->TrackedMapper)
+  {
+    return this;
+  }
+  const auto blocks = vtkPattern::Blocks(this->TrackedMapper->GetInputDataObject(0, 0));
+  const bool known = std::any_of(blocks.begin(), blocks.end(),
+    [](const vtkPattern::Block& block)
+    { return block.Data->GetNumberOfPolys() > 0 || block.Data->GetNumberOfStrips() > 0; });
+  return known ? this->TrackedMapper.Get() : this;
+}
+
 void vtkPatternMapper::Report(const std::string& error, std::string& reported)
 {
   if (!error.empty() && error != reported)
@@ -378,6 +409,37 @@ bool vtkPatternMapper::GetUsesTextureCoordinates() const
   return this->Internal->UsesTextureCoordinates;
 }
 
+void vtkPatternMapper::UpdatePrimitiveIds(bool needed)
+{
+  const unsigned long cells = this->Internal->NoiseSurface.GetCellVersion();
+  if (needed && (!this->Internal->UsesPrimitiveIds || this->Internal->IdentifiedCells != cells))
+  {
+    this->Internal->UsesPrimitiveIds = true;
+    this->Internal->IdentifiedCells = cells;
+    this->Internal->ChannelTime.Modified();
+    this->Modified();
+  }
+}
+
+bool vtkPatternMapper::GetUsesPrimitiveIds() const
+{
+  return this->Internal->UsesPrimitiveIds;
+}
+
+void vtkPatternMapper::AppendPrimitiveIds(
+  vtkPolyData* block, const std::vector<vtkIdType>& cells, std::vector<float>& ids)
+{
+  try
+  {
+    this->Internal->NoiseSurface.Update(this->GetInputDataObject(0, 0));
+  }
+  catch (const std::exception&)
+  {
+    // Reported where the noise is drawn; the surface is empty.
+  }
+  this->Internal->NoiseSurface.AppendPrimitiveIds(block, cells, ids);
+}
+
 void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   if (!this->GetInputAlgorithm())
@@ -427,8 +489,9 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   this->Internal->ReportedNote = note;
 
   const bool lowDetail = this->TrackedMapper != nullptr;
-  vtkPatternMapper* steering = lowDetail ? this->TrackedMapper.Get() : this;
-  auto* track = vtkPatternViewContext::Get(renderer)->Advance(steering, actor, viewport, lowDetail);
+  vtkPatternMapper* steering = this->GetSteeringMapper();
+  auto* track =
+    vtkPatternViewContext::Get(renderer)->Advance(steering, actor, viewport, steering != this);
   this->Report(track->Problem, this->Internal->ReportedProblem);
   part.Compositor.SetOctaves(track->Octaves);
   // One eye's picture tells nothing new of a view that was measured already.
@@ -448,6 +511,10 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 
 void vtkPatternMapper::RenderForward(Drawing& drawing)
 {
+  // VTK draws translucent surfaces into images of the viewport alone.
+  int viewport[4];
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  drawing.Viewport.MoveTo(viewport[0], viewport[1]);
   const std::array<double, 3> nanColor = this->GetNanColor();
   const glm::dmat4 modelToClip = vtkPattern::DrawnProjection(drawing.Renderer) *
     vtkPattern::ModelView(drawing.Renderer, drawing.Actor);
@@ -463,6 +530,7 @@ void vtkPatternMapper::RenderForward(Drawing& drawing)
     this->Superclass::Render(drawing.Renderer, drawing.Actor);
     return;
   }
+  this->UpdatePrimitiveIds(drawing.Part.Compositor.GetAttributes().PrimitiveIds);
   vtkPatternShaderInjector* injector = this->Internal->ForwardInjector;
   injector->Configure(vtkPatternShaderInjector::FORWARD, this->Internal->Channels,
     this->Internal->Lights.GetCount(), this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
@@ -507,10 +575,16 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
   }
   if (drawing.Rectangle[2] > 0 && drawing.Rectangle[3] > 0)
   {
-    this->DrawAttributes(drawing);
+    vtkPatternShaderInjector* injector = this->Internal->AttributeInjector;
+    injector->Configure(vtkPatternShaderInjector::ATTRIBUTES, this->Internal->Channels,
+      this->Internal->Lights.GetCount(), this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
+      drawing.Part.Compositor.GetAttributes(), std::string());
+    injector->UniformSetter = [this](vtkShaderProgram* program)
+    { this->Internal->Lights.SetUniforms(program, this->Internal->Channels); };
+    this->DrawAttributes(drawing, injector);
     if (this->Internal->PatchRecords.IsDrawnWrong())
     {
-      this->DrawAttributes(drawing);
+      this->DrawAttributes(drawing, injector);
     }
     this->UploadPatchRecords(drawing);
     this->DrawFields(drawing, modelToClip, false);
@@ -562,7 +636,13 @@ bool vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToCli
     this->Internal->NoiseSurface.Update(this->GetInputDataObject(0, 0));
     const vtkPatternFieldStage stage = { drawing.Window, *drawing.Part.Resources,
       this->Internal->NoiseSurface, modelToClip, drawing.Viewport.Drawn, drawing.Rectangle,
-      { center[0], center[1], center[2] }, backEnd };
+      { center[0], center[1], center[2] }, backEnd,
+      vtkPatternViewContext::Get(drawing.Renderer)->GetFrameNumber(),
+      [&]() -> const std::vector<vtkPatternTonePeel::Image>&
+      {
+        this->PeelTones(drawing);
+        return drawing.Tones;
+      } };
     this->Report(
       forward ? stage.DrawForward(drawing.Part.Compositor) : stage.Draw(drawing.Part.Compositor),
       this->Internal->ReportedField);
@@ -586,15 +666,32 @@ void vtkPatternMapper::UploadPatchRecords(Drawing& drawing)
   }
 }
 
-void vtkPatternMapper::DrawAttributes(Drawing& drawing)
+void vtkPatternMapper::PeelTones(Drawing& drawing)
 {
-  vtkPatternShaderInjector* injector = this->Internal->AttributeInjector;
-  injector->Configure(vtkPatternShaderInjector::ATTRIBUTES, this->Internal->Channels,
+  const vtkPatternAttributes tonesAlone;
+  if (drawing.Rectangle[2] < 1 || drawing.Rectangle[3] < 1 ||
+    !drawing.Part.Resources->Prepare(drawing.Window, tonesAlone))
+  {
+    return;
+  }
+  vtkPatternTonePeel& peel = drawing.Part.TonePeel;
+  vtkPatternShaderInjector* injector = this->Internal->PeelInjector;
+  injector->Configure(vtkPatternShaderInjector::PEEL, this->Internal->Channels,
     this->Internal->Lights.GetCount(), this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
-    drawing.Part.Compositor.GetAttributes(), std::string());
-  injector->UniformSetter = [this](vtkShaderProgram* program)
-  { this->Internal->Lights.SetUniforms(program, this->Internal->Channels); };
+    tonesAlone, std::string());
+  injector->UniformSetter = [&](vtkShaderProgram* program)
+  {
+    this->Internal->Lights.SetUniforms(program, this->Internal->Channels);
+    peel.SetUniforms(program);
+  };
+  drawing.Tones = peel.Peel(drawing.Window, *drawing.Part.Resources, drawing.Rectangle,
+    [&]() { this->DrawAttributes(drawing, injector); });
+  injector->UniformSetter = nullptr;
+}
 
+// With the depth test and no blending, whatever the pass does in which this happens.
+void vtkPatternMapper::DrawAttributes(Drawing& drawing, vtkPatternShaderInjector* injector)
+{
   vtkOpenGLState* state = drawing.Window->GetState();
   state->PushFramebufferBindings();
   {
@@ -603,22 +700,28 @@ void vtkPatternMapper::DrawAttributes(Drawing& drawing)
     vtkOpenGLState::ScopedglScissor scissor(state);
     vtkOpenGLState::ScopedglClearColor clearColor(state);
     vtkOpenGLState::ScopedglDepthMask depthMask(state);
-    drawing.Part.Resources->AttributeFramebuffer->Bind();
-    drawing.Part.Resources->AttributeFramebuffer->ActivateDrawBuffers(
-      static_cast<unsigned int>(drawing.Part.Compositor.GetAttributes().Images().size()));
+    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+    vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
+    vtkOpenGLState::ScopedglColorMask colorMask(state);
+    drawing.Part.Resources->BeginAttributes();
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(
       drawing.Rectangle[0], drawing.Rectangle[1], drawing.Rectangle[2], drawing.Rectangle[3]);
     state->vtkglDisable(GL_BLEND);
     state->vtkglDepthMask(GL_TRUE);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(GL_LEQUAL);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    state->vtkglClearDepth(1.0);
     state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const ScopedInjector scoped(drawing.Actor, injector);
+    // Depth peeling has a pass of its own there.
+    const ScopedInjector scoped(
+      drawing.Actor, injector, drawing.Actor->IsRenderingTranslucentPolygonalGeometry());
     this->Stage = DrawStage::Surfaces;
     this->Superclass::Render(drawing.Renderer, drawing.Actor);
     this->Stage = DrawStage::Stock;
   }
-  injector->UniformSetter = nullptr;
   state->PopFramebufferBindings();
 }
 
@@ -660,6 +763,7 @@ void vtkPatternMapper::ReleaseGraphicsResources(vtkWindow* window)
     WindowPart& part = found->second;
     part.Compositor.ReleaseGraphicsResources(window);
     part.ScreenPass.ReleaseGraphicsResources(window);
+    part.TonePeel.ReleaseGraphicsResources(window);
     part.PatchRecords.Release(window);
     if (part.Resources)
     {

@@ -59,7 +59,9 @@ struct ViewProjection;
 #endif
 
 class vtkCameraInterpolator;
+class vtkPatternShaderInjector;
 class vtkPatternStyle;
+class vtkPolyData;
 class vtkShaderProgram;
 class vtkTable;
 
@@ -82,8 +84,9 @@ public:
   ///@{
   /**
    * The mapper whose surface steers the patterns, where this one draws a stand-in of lower detail
-   * for the same actor: it looks on and never moves the patterns. Null (the default): its own.
-   * Not reference counted.
+   * for the same actor: it looks on and never moves the patterns. While that mapper has no surface
+   * yet, the stand-in's own steers its pictures. Null (the default): its own. Not reference
+   * counted.
    */
   virtual void SetTrackedMapper(vtkPatternMapper* mapper);
   virtual vtkPatternMapper* GetTrackedMapper();
@@ -219,6 +222,11 @@ public:
   glm::dvec3 GetPatchOrigin() const;
   /// Whether the vertex buffers hold texture coordinates for the style.
   bool GetUsesTextureCoordinates() const;
+  /// Whether there are buffers of what tells blocks and triangles apart.
+  bool GetUsesPrimitiveIds() const;
+  /// See vtkPatternNoiseSurface.
+  void AppendPrimitiveIds(
+    vtkPolyData* block, const std::vector<vtkIdType>& cells, std::vector<float>& ids);
   std::vector<hachure::PatternFrame> AnchoredFrames(const hachure::TrackedSamples& samples,
     const hachure::ViewProjection& view, vtkRenderer* renderer);
 #endif
@@ -242,13 +250,16 @@ private:
   struct WindowPart;
   struct Drawing;
   bool DrawsPatterns(vtkRenderer* renderer, vtkActor* actor);
+  vtkPatternMapper* GetSteeringMapper();
   void UpdateChannels();
   void UpdatePatches(std::string& error);
   void UpdateTextureCoordinates(bool needed);
+  void UpdatePrimitiveIds(bool needed);
   void Report(const std::string& error, std::string& reported);
   void RenderOpaque(Drawing& drawing);
   void RenderForward(Drawing& drawing);
-  void DrawAttributes(Drawing& drawing);
+  void DrawAttributes(Drawing& drawing, vtkPatternShaderInjector* injector);
+  void PeelTones(Drawing& drawing);
   void UploadPatchRecords(Drawing& drawing);
   bool DrawFields(Drawing& drawing, const glm::dmat4& modelToClip, bool forward);
   bool HasRemainder(vtkActor* actor);

@@ -113,7 +113,8 @@ std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> vtkPatternMapperHel
   std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> buffers = { { "hachurePatchOfVertex",
                                                                              &this->PatchOfVertex },
     { "hachurePatchRecords", &this->PatchRecords.Shapes },
-    { "hachurePatchWeights", &this->PatchRecords.Weights } };
+    { "hachurePatchWeights", &this->PatchRecords.Weights },
+    { "hachurePrimitiveIds", &this->PrimitiveIds } };
   for (std::size_t i = 0; i < this->CellTones.size(); ++i)
   {
     buffers.emplace_back("hachureCellTone" + std::to_string(i), &this->CellTones[i]);
@@ -177,17 +178,20 @@ void vtkPatternMapperHelper::BuildBufferObjects(vtkRenderer* renderer, vtkActor*
   this->AppendedPoints.clear();
   this->Patches = {};
   this->VertexCount = 0;
-  for (CellTone& tone : this->CellTones)
+  this->PrimitiveIds.Values.clear();
+  for (PrimitiveNumbers& tone : this->CellTones)
   {
     tone.Values.clear();
   }
   this->Superclass::BuildBufferObjects(renderer, actor);
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  for (CellTone& tone : this->CellTones)
+  const auto upload = [window](PrimitiveNumbers& numbers)
   {
-    tone.Upload(window, tone.Values, 2);
-    tone.Values = {};
-  }
+    numbers.Upload(window, numbers.Values, 2);
+    numbers.Values = {};
+  };
+  std::for_each(this->CellTones.begin(), this->CellTones.end(), upload);
+  upload(this->PrimitiveIds);
   this->UploadPatches(window);
 }
 
@@ -301,6 +305,25 @@ void vtkPatternMapperHelper::AppendCellTones(vtkPatternHelperData* data, int rep
   }
 }
 
+void vtkPatternMapperHelper::AppendPrimitiveIds(vtkPatternHelperData* data, int representation)
+{
+  if (!this->GetMapper()->GetUsesPrimitiveIds())
+  {
+    return;
+  }
+  vtkPolyData* poly = vtkPatternHelperPolyData(data);
+  vtkCellArray* primitives[4] = { poly->GetVerts(), poly->GetLines(), poly->GetPolys(),
+    poly->GetStrips() };
+  data->CellCellMap->Update(primitives, representation, poly->GetPoints());
+  std::vector<vtkIdType> cells;
+  cells.reserve(data->CellCellMap->GetSize());
+  for (std::size_t i = 0; i < data->CellCellMap->GetSize(); ++i)
+  {
+    cells.push_back(data->CellCellMap->GetValue(i));
+  }
+  this->GetMapper()->AppendPrimitiveIds(poly, cells, this->PrimitiveIds.Values);
+}
+
 void vtkPatternMapperHelper::AppendPatches(vtkPatternHelperData* data, int representation)
 {
   const vtkPatternPatches& patches = this->GetMapper()->GetPatches();
@@ -345,6 +368,7 @@ void vtkPatternMapperHelper::AppendOneBufferObject(vtkRenderer* renderer, vtkAct
   if (hasPoints)
   {
     this->AppendCellTones(data, actor->GetProperty()->GetRepresentation());
+    this->AppendPrimitiveIds(data, actor->GetProperty()->GetRepresentation());
     this->AppendPatches(data, actor->GetProperty()->GetRepresentation());
   }
 }

@@ -48,9 +48,9 @@ protected:
     vtkIdType& offset, std::vector<unsigned char>& colors, std::vector<float>& normals) override;
 
 private:
-  struct CellTone : vtkPatternNumberBuffer
+  struct PrimitiveNumbers : vtkPatternNumberBuffer
   {
-    std::vector<float> Values;
+    std::vector<float> Values; // while buffers are built
   };
   vtkPatternMapper* GetMapper();
   void DrawSelection(vtkRenderer* renderer, vtkActor* actor);
@@ -58,11 +58,13 @@ private:
   void AppendTextureCoordinates(vtkPolyData* poly);
   void SetCoordinates(vtkShaderProgram* program);
   void AppendCellTones(vtkPatternHelperData* data, int representation);
+  void AppendPrimitiveIds(vtkPatternHelperData* data, int representation);
   void AppendPatches(vtkPatternHelperData* data, int representation);
   void UploadPatches(vtkOpenGLRenderWindow* window);
   std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> NumberBuffers();
 
-  std::array<CellTone, vtkPatternToneChannels::Maximum> CellTones;
+  std::array<PrimitiveNumbers, vtkPatternToneChannels::Maximum> CellTones;
+  PrimitiveNumbers PrimitiveIds;    // of noises on translucent surfaces
   hachure::TrianglePatches Patches; // while buffers are built
   std::size_t VertexCount = 0;      // of these
   vtkPatternNumberBuffer PatchOfVertex;

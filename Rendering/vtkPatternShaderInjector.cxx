@@ -151,7 +151,9 @@ bool vtkPatternShaderInjector::PreReplaceShaderValues(std::string& vertexShader,
   std::string vertexImpl = this->SurfaceText("VSImpl");
   std::string geometryDec = this->SurfaceText("GSDec");
   std::string geometryImpl = this->SurfaceText("GSImpl");
-  std::string fragmentDec = Section("Dec") + this->ComposeText + this->SurfaceText("FSDec");
+  std::string fragmentDec = this->DrawsIds() ? Section("IdsFSDec") : std::string();
+  fragmentDec += this->Stage == PEEL ? Section("PeelFSDec") : std::string();
+  fragmentDec += Section("Dec") + this->ComposeText + this->SurfaceText("FSDec");
   fragmentDec += this->LightsDeclaration();
   const auto& channels = this->Channels.Get();
   for (std::size_t i = 0; i < channels.size(); ++i)
@@ -264,9 +266,11 @@ std::string vtkPatternShaderInjector::StageText(bool colors) const
 {
   if (this->Stage == FORWARD)
   {
-    return this->SurfaceOutputs() + Section("Forward");
+    const std::string ids = this->DrawsIds() ? Section("IdsForward") : std::string();
+    return this->SurfaceOutputs() + ids + Section("Forward");
   }
-  const std::string text = Section("Attributes") + this->SurfaceOutputs();
+  const std::string peel = this->Stage == PEEL ? Section("PeelFSImpl") : std::string();
+  const std::string text = peel + Section("Attributes") + this->SurfaceOutputs();
   return colors ? text : text + Section("NoColors");
 }
 

@@ -23,10 +23,12 @@ public:
   static vtkPatternShaderInjector* New();
   vtkTypeMacro(vtkPatternShaderInjector, vtkOpenGLRenderPass);
 
-  /// ATTRIBUTES writes what the screen pass needs, FORWARD draws the layers in the surface shader.
+  /// ATTRIBUTES writes what the screen pass needs, PEEL the same behind a depth (see
+  /// vtkPatternTonePeel), FORWARD draws the layers in the surface shader.
   enum StageType
   {
     ATTRIBUTES,
+    PEEL,
     FORWARD
   };
 
@@ -59,6 +61,7 @@ private:
   /// The pieces of what the layers need of the surface: sections with this ending.
   std::string SurfaceText(const std::string& ending) const;
   std::string SurfaceValues() const;
+  bool DrawsIds() const { return this->Stage == FORWARD && this->Needed.PrimitiveIds; }
   std::string SurfaceOutputs() const;
   std::string StageText(bool colors) const;
 

@@ -40,6 +40,12 @@ vtkInformationObjectBaseKey* ContextKey()
   return key;
 }
 
+unsigned long NextFrameNumber()
+{
+  static unsigned long last = 0;
+  return ++last;
+}
+
 // Time of a data set, not a number where it has none.
 double DataTimeOf(vtkDataObject* input)
 {
@@ -181,6 +187,7 @@ vtkPatternViewContext* vtkPatternViewContext::Get(vtkRenderer* renderer)
 void vtkPatternViewContext::Attach(vtkRenderer* renderer)
 {
   this->Renderer = renderer;
+  this->FrameNumber = NextFrameNumber();
   renderer->AddObserver(
     vtkCommand::StartEvent, this, &vtkPatternViewContext::StartFrame, startPriority);
   renderer->AddObserver(vtkCommand::EndEvent, this, &vtkPatternViewContext::EndFrame, endPriority);
@@ -215,7 +222,7 @@ void vtkPatternViewContext::Reanchor(vtkPatternMapper* mapper)
 
 void vtkPatternViewContext::StartFrame()
 {
-  ++this->FrameNumber;
+  this->FrameNumber = NextFrameNumber();
   const auto gone = [](const std::unique_ptr<Track>& track)
   { return !track->Mapper || !track->Actor; };
   this->Tracks.erase(
@@ -235,7 +242,7 @@ vtkPatternViewContext::Track* vtkPatternViewContext::Advance(
   }
   try
   {
-    this->Predict(*track, viewport, lowDetail || viewport.IsTile);
+    this->Predict(*track, viewport, lowDetail);
   }
   catch (const std::exception& problem)
   {
@@ -289,7 +296,8 @@ bool vtkPatternViewContext::UpdateSamples(Track& track)
   return changed;
 }
 
-void vtkPatternViewContext::Predict(Track& track, const vtkPatternViewport& viewport, bool lookOn)
+void vtkPatternViewContext::Predict(
+  Track& track, const vtkPatternViewport& viewport, bool lowDetail)
 {
   vtkPatternStyle* style = track.Mapper->GetStyle();
   const bool changed = this->UpdateSamples(track);
@@ -310,7 +318,7 @@ void vtkPatternViewContext::Predict(Track& track, const vtkPatternViewport& view
     return;
   }
   const bool stereo = this->Renderer->GetRenderWindow()->GetStereoRender() != 0;
-  if (lookOn && !track.Tracker.drawn().empty())
+  if (lowDetail || (viewport.IsTile && !track.Tracker.drawn().empty()))
   {
     this->LookOn(track, samples, view, changed);
     return;
@@ -343,6 +351,7 @@ void vtkPatternViewContext::LookOn(Track& track, const hachure::TrackedSamples& 
     return;
   }
   hachure::PatternTracker copy(track.Tracker);
+  copy.setOptions(vtkPatternViewContext::OptionsOf(track.Mapper->GetStyle()));
   if (replaced)
   {
     HandOver(track, samples, view, copy);

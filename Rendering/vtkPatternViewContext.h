@@ -84,6 +84,8 @@ public:
     vtkPatternMapper* mapper, vtkActor* actor, const vtkPatternViewport& viewport, bool lowDetail);
   /// The track of an object where there is one.
   Track* FindTrack(vtkPatternMapper* mapper, vtkActor* actor);
+  /// Number of the frame that is drawn: no other frame of any renderer has it.
+  unsigned long GetFrameNumber() const { return this->FrameNumber; }
   /// Forgets how the patterns of a mapper have moved.
   void Reanchor(vtkPatternMapper* mapper);
 
@@ -95,7 +97,7 @@ private:
   void Attach(vtkRenderer* renderer);
   void StartFrame();
   void EndFrame();
-  void Predict(Track& track, const vtkPatternViewport& viewport, bool lookOn);
+  void Predict(Track& track, const vtkPatternViewport& viewport, bool lowDetail);
   bool UpdateSamples(Track& track);
   void LookOn(Track& track, const hachure::TrackedSamples& samples,
     const hachure::ViewProjection& view, bool changed);
@@ -105,7 +107,7 @@ private:
   vtkRenderer* Renderer = nullptr; // owns this object
   std::vector<std::unique_ptr<Track>> Tracks;
   std::shared_ptr<vtkPatternWindowResources> Resources;
-  unsigned long FrameNumber = 1;
+  unsigned long FrameNumber = 0;
 };
 
 #endif

@@ -59,6 +59,14 @@ vtkPatternViewport::vtkPatternViewport(vtkRenderer* renderer, double pixelScale)
   }
 }
 
+void vtkPatternViewport::MoveTo(int left, int bottom)
+{
+  this->FragmentToLogical.z += this->FragmentToLogical.x * (this->Drawn[0] - left);
+  this->FragmentToLogical.w += this->FragmentToLogical.y * (this->Drawn[1] - bottom);
+  this->Drawn[0] = left;
+  this->Drawn[1] = bottom;
+}
+
 hachure::ViewProjection vtkPatternViewport::Whole(
   const glm::dmat4& modelToView, glm::dmat4 projection) const
 {

@@ -37,6 +37,9 @@ struct vtkPatternViewport
   /// Part of a picture that is drawn in tiles.
   bool IsTile;
 
+  /// Puts the drawn part elsewhere in the framebuffer.
+  void MoveTo(int left, int bottom);
+
   /// What the renderer's camera sees of a prop, with the whole (untiled) viewport as clip space.
   /// In stereo the view of the middle between the eyes, the same as without stereo.
   hachure::ViewProjection View(vtkRenderer* renderer, vtkProp3D* prop) const;

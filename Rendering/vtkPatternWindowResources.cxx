@@ -126,6 +126,21 @@ bool vtkPatternWindowResources::AttachDrawn(vtkOpenGLRenderWindow* window)
   return complete;
 }
 
+void vtkPatternWindowResources::BeginAttributes()
+{
+  this->AttributeFramebuffer->Bind();
+  const auto count = static_cast<unsigned int>(this->Attached.Images().size());
+  // VTK takes the buffers of the framebuffer that was bound before for those of this one, and sets
+  // none that seem to be set: another order first.
+  std::vector<unsigned int> turned(count);
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    turned[i] = (i + 1) % count;
+  }
+  this->AttributeFramebuffer->ActivateDrawBuffers(turned.data(), static_cast<int>(count));
+  this->AttributeFramebuffer->ActivateDrawBuffers(count);
+}
+
 void vtkPatternWindowResources::BeginLayers(
   vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle)
 {

@@ -30,6 +30,9 @@ public:
   /// framebuffer of them. False where it cannot be made.
   bool Prepare(vtkOpenGLRenderWindow* window, const vtkPatternAttributes& attributes);
 
+  /// Makes AttributeFramebuffer the one that is drawn to. The caller keeps the bindings.
+  void BeginAttributes();
+
   /// Makes DrawnFramebuffer the one that is drawn to, with the depth of the attribute stage in a
   /// rectangle (x, y, width, height). The caller keeps the bindings.
   void BeginLayers(vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle);

@@ -152,6 +152,19 @@ const char* vtkPatternRepresentation::GetPatternVelocityArray()
 }
 
 //------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternBackEnd(int backEnd)
+{
+  static_cast<vtkPatternMapper*>(this->Mapper)->SetNoiseBackEnd(backEnd);
+  static_cast<vtkPatternMapper*>(this->LODMapper)->SetNoiseBackEnd(backEnd);
+}
+
+//------------------------------------------------------------------------------
+int vtkPatternRepresentation::GetPatternBackEnd()
+{
+  return static_cast<vtkPatternMapper*>(this->Mapper)->GetNoiseBackEnd();
+}
+
+//------------------------------------------------------------------------------
 void vtkPatternRepresentation::UpdatePatches()
 {
   this->Patches->SetMethod(MethodOf(this->PatternPatches));
@@ -291,4 +304,5 @@ void vtkPatternRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PatternFeatureArrayName: " << this->PatternFeatureArrayName << "\n";
   os << indent << "PatternSamplesPerPatch: " << this->PatternSamplesPerPatch << "\n";
   os << indent << "PatternVelocityArray: " << this->PatternVelocityArray << "\n";
+  os << indent << "PatternBackEnd: " << this->GetPatternBackEnd() << "\n";
 }

@@ -730,6 +730,14 @@ public:
   const char* GetPatternVelocityArray();
   ///@}
 
+  ///@{
+  /** What sums up the noise of styles that have some: vtkPatternMapper's AUTOMATIC (0), CPU (1),
+   * GATHER (2), COMPUTE (3) or SPLAT (4), in pictures of full and of low detail. Default AUTOMATIC.
+   */
+  void SetPatternBackEnd(int backEnd);
+  int GetPatternBackEnd();
+  ///@}
+
 protected:
   vtkPatternRepresentation();
   ~vtkPatternRepresentation() override;

@@ -2,6 +2,21 @@
 // Variables that start with "hachure" are ours; all others are VTK's. K stands for a tone channel,
 // LIGHTS for the number of lights, FIRST and LAST for a range of them.
 
+//Section IdsFSDec
+uniform samplerBuffer hachurePrimitiveIds; // per primitive: block and triangle that a noise knows it by
+vec2 hachureIdsHere = vec2(-1.0);
+//Section IdsForward
+  hachureIdsHere = texelFetch(hachurePrimitiveIds, gl_PrimitiveID + PrimitiveIDOffset).xy;
+//Section PeelFSDec
+uniform sampler2D hachureDepthBefore; // window depth of the layer before, of a rectangle
+uniform vec2 hachureDepthOrigin;      // its first pixel
+//Section PeelFSImpl
+  // More than the rounding of 24 bits.
+  if (gl_FragCoord.z <=
+    texelFetch(hachureDepthBefore, ivec2(gl_FragCoord.xy - hachureDepthOrigin), 0).r + 2.4e-7)
+  {
+    discard;
+  }
 //Section PointToneVSDec
 in vec2 hachureToneKMC; // x: tone before clamping, y: 1 where the array has a number
 out vec2 hachureToneKVSOutput;

@@ -67,6 +67,9 @@ public:
   /// Whether the field lies differently on every patch.
   virtual bool FollowsPatches() const { return false; }
 
+  /// Whether the shader of a translucent surface must know block and triangle, hachureIdsHere.
+  virtual bool NeedsPrimitiveIds() const { return false; }
+
   /// Linear colour of the ink at `position`, a vec3 of the shader, where it depends on more than
   /// the layer's colour source; `coverage` is known.
   virtual std::string GetInkColor() const { return {}; }
@@ -82,6 +85,7 @@ public:
     std::array<int, 4> Rectangle; // that is drawn
     float DepthPerPixel;          // change of the window depth by moving away by a pixel's size
     int NoiseBackEnd;             // as vtkNoiseBackEnd takes it
+    unsigned long Frame;          // of the renderer: until it changes nothing else does
     vtkTextureObject* DepthImage; // window depth of the framebuffer, 1 where nothing is seen
     std::function<const std::vector<float>&()> LookAtDepth; // the same in the rectangle, read back
     struct Seen
@@ -90,8 +94,13 @@ public:
       std::vector<std::int32_t> Objects;   // their blocks
     };
     std::function<const Seen&()> LookAtTriangles; // draws the surface once more
-    /// Tones of four channels in the rectangle, 0 to 255. Empty function: not known.
-    std::function<const std::vector<std::uint8_t>&()> LookAtTones;
+    struct ToneImage
+    {
+      std::vector<std::uint8_t> Tones; // of four channels in the rectangle, 0 to 255
+      std::vector<float> Depth;        // window depth, 1 where nothing is; empty: not asked for
+    };
+    /// Of what is seen; of a translucent surface its layers from the front, with their depth.
+    std::function<const std::vector<ToneImage>&()> LookAtTones;
   };
   /// Whether DrawField must be called between the surface's drawing and that of the layers.
   virtual bool NeedsField() const { return false; }
@@ -99,8 +108,8 @@ public:
   /// where all is well; a field is drawn all the same.
   virtual std::string DrawField(const FieldScene&, int) { return {}; }
   /// The same before a translucent surface is drawn, of which nothing was seen yet: its scene has
-  /// neither depth nor tones nor triangles. Until the next Update, the layer is drawn with the
-  /// declarations of GetForwardDeclarations.
+  /// neither depth nor triangles. Until the next Update, the layer is drawn with the declarations
+  /// of GetForwardDeclarations.
   virtual std::string DrawForwardField(const FieldScene&, int) { return {}; }
 
   /// Declarations with '@' for the layer's number; they define

@@ -19,7 +19,9 @@ import tempfile
 KERNEL_VERSIONS = (150, 330, 460)
 GLUE_VERSION = 150
 # Of layers' texts.
-CONSTANTS = ("LEVEL", "1.0"), ("ASPECT", "1.0"), ("PERIOD", "32.0"), ("POWER", "0.5")
+CONSTANTS = (
+    ("LEVEL", "1.0"), ("ASPECT", "1.0"), ("PERIOD", "32.0"), ("POWER", "0.5"), ("IDSHERE", "hachureNoIds@"),
+)
 
 
 def read(path):

@@ -46,6 +46,28 @@ aside = numpy.roll(without, 4, axis=1)
 closeness = scene.difference(low, without) / scene.difference(low, aside)
 assert 0.0 < closeness < 0.2, "difference from full detail, as a part of that of other strokes: %f" % closeness
 
+# Also where the first picture of a view is one of low detail, before the full surface has come.
+for representation in "Pattern", "Noise":
+    shown = []
+    with scene.Messages() as messages:
+        for first in False, True:
+            where = scene.view(full_detail=not first)
+            scene.show(sphere, where, Representation=representation)
+            if first:
+                scene.look(where, START)
+                where.SMProxy.InteractiveRender()
+                assert where.SMProxy.GetClientSideObject().GetUsedLODForLastRender()
+                where.UseInteractiveRenderingForScreenshots = 1
+                low = scene.array(where.CaptureWindow(1))
+                where.UseInteractiveRenderingForScreenshots = 0
+            scene.look(where, END)
+            shown.append(scene.picture(where))
+            simple.Delete(where)
+    assert not messages.text, messages.text
+    assert (shown[0] == shown[1]).all(), "%s: %f" % (representation, scene.difference(*shown))
+    ink = (low[(low != 128).any(axis=2)].max(axis=1) < 100).mean()
+    assert 0.1 < ink < 0.9, "ink in low detail, the first picture: %.3f" % ink
+
 # An array tone is there in low detail too.
 with scene.Messages() as messages:
     elevation = simple.Elevation(Input=sphere)

@@ -2,69 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Noise on translucent surfaces: every one has its own, and its ink is its tone."""
 
-import hachure
 import numpy
 import pattern_scene as scene
+from noise_scene import (
+    SIZE, correlation, disc, drawn, front_actor, in_front, noise_style, sphere_actor, tone_of)
 
-SIZE = (160, 160)
 KINDS = {"gabor": 0, "phasor": 1, "spot": 2}
-
-
-def noise_style(kind, tone, **values):
-    """Black ink of one tone on white paper."""
-    style = hachure.vtkPatternStyle()
-    layer = hachure.vtkNoiseLayer()
-    layer.SetKind(kind)
-    layer.SetSize(6.0)
-    for name, value in values.items():
-        getattr(layer, "Set" + name)(value)
-    layer.GetTone().SetSource(hachure.vtkPatternTone.CONSTANT)
-    layer.GetTone().SetConstant(tone)
-    style.AddLayer(layer)
-    return style
-
-
-def sphere_actor(radius, style, opacity):
-    actor = scene.actor_of(scene.sphere(radius=radius), style)
-    actor.GetProperty().SetOpacity(opacity)
-    return actor
-
-
-def drawn(actors, peeling, size=SIZE):
-    """Display-referred grey, 0 to 1."""
-    renderer = scene.renderer_of(*actors)
-    window = scene.window_of(renderer, size=size)
-    window.SetAlphaBitPlanes(1)
-    if peeling:
-        renderer.SetUseDepthPeeling(True)
-        renderer.SetMaximumNumberOfPeels(8)
-        renderer.SetOcclusionRatio(0.0)
-    scene.look(renderer, position=(0.0, 0.0, 2.2))
-    window.Render()
-    return scene.picture(window)[:, :, 0] / 255.0
-
-
-def disc(share):
-    """Pixels within a share of the half picture around its middle."""
-    y, x = numpy.mgrid[0 : SIZE[1], 0 : SIZE[0]]
-    return numpy.hypot(x - SIZE[0] / 2 + 0.5, y - SIZE[1] / 2 + 0.5) < share * SIZE[0] / 2
-
-
-def tone_of(picture, opacity):
-    """Of one surface alone in front of white, whose display-referred colour VTK blends."""
-    own = numpy.clip((picture - (1.0 - opacity)) / opacity, 0.0, 1.0)
-    return 1.0 - scene.linear(255.0 * own)
-
-
-def in_front(front, behind, opacity):
-    """The picture of a surface, which alone is `front`, in front of others that alone are `behind`."""
-    return front - (1.0 - opacity) * (1.0 - behind)
-
-
-def front_actor(radius, style, opacity):
-    actor = sphere_actor(radius, style, opacity)
-    actor.GetProperty().BackfaceCullingOn()
-    return actor
 
 
 def test_each_sphere_has_its_tone():
@@ -96,25 +39,6 @@ def test_nested_spheres():
         mixed = drawn(actors, False)[disc(0.45)]
         assert correlation(mixed, outer) > 0.3 and correlation(mixed, inner) > 0.3, name
         assert mixed.std() > 0.15, name
-
-
-def correlation(one, other):
-    return numpy.corrcoef(one, other)[0, 1]
-
-
-def test_front_and_back_differ():
-    """Of one sphere, each side has its own kernels."""
-    pictures = {}
-    for culled in ("none", "back", "front"):
-        actor = sphere_actor(0.5, noise_style(0, 0.5), 0.5)
-        actor.GetProperty().SetBackfaceCulling(culled == "back")
-        actor.GetProperty().SetFrontfaceCulling(culled == "front")
-        pictures[culled] = drawn([actor], True)[disc(0.6)]
-    assert abs(correlation(pictures["back"], pictures["front"])) < 0.1
-    both = in_front(pictures["back"], pictures["front"], 0.5)
-    assert numpy.abs(both - pictures["none"]).mean() < 0.01
-    for name, picture in pictures.items():
-        assert picture.std() > 0.15, name
 
 
 def test_opaque_and_nearly_opaque_look_alike():
@@ -153,6 +77,18 @@ def test_camera_moves():
     scene.look(fresh, position=(1.0, 0.2, 1.9))
     other.Render()
     assert (moved == scene.picture(other)).all()
+
+
+def test_viewport_beside_the_origin():
+    """VTK draws translucent surfaces of a viewport into images that begin at its corner."""
+    actor = front_actor(0.5, noise_style(0, 0.5), 0.5)
+    for peeling in (False, True):
+        alone = drawn([actor], peeling)
+        larger = tuple(2 * size for size in SIZE)
+        beside = drawn([actor], peeling, size=larger, viewport=(0.25, 0.5, 0.75, 1.0))
+        cut = beside[SIZE[1] :, SIZE[0] // 2 : 3 * SIZE[0] // 2]
+        assert numpy.abs(cut - alone).mean() < 0.01, numpy.abs(cut - alone).mean()
+        assert alone.std() > 0.15
 
 
 def test_missing_array_is_an_error():

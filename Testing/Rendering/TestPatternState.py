@@ -225,29 +225,63 @@ def test_styles_in_between():
     check_path(toggle)
 
 
+def stand_ins(stage):
+    """Coarse mappers for the actors of a stage."""
+    coarse = []
+    for actor, (radius, center) in zip(stage.actors, ((0.5, (-0.3, 0.0, 0.3)), (0.4, (0.4, 0.1, -0.4)))):
+        mapper = actor.GetMapper()
+        coarse.append(scene.actor_of(scene.sphere(8, radius, center), mapper.GetStyle()).GetMapper())
+        coarse[-1].SetTrackedMapper(mapper)
+    return coarse
+
+
+def put(mappers, stage):
+    for actor, mapper in zip(stage.actors, mappers):
+        actor.SetMapper(mapper)
+
+
 def test_stand_ins_of_lower_detail():
     """Frames that a stand-in draws on the way leave patterns to the next full frame."""
     plain, other = Stage(), Stage()
     full = [actor.GetMapper() for actor in other.actors]
-    coarse = [scene.actor_of(scene.sphere(8, radius, center), mapper.GetStyle()).GetMapper()
-              for mapper, (radius, center) in zip(
-                  full, ((0.5, (-0.3, 0.0, 0.3)), (0.4, (0.4, 0.1, -0.4))))]
-    for low, mapper in zip(coarse, full):
-        low.SetTrackedMapper(mapper)
+    coarse = stand_ins(other)
     for step in range(STEPS):
         for stage in (plain, other):
             stage.move(step)
         if step % 3 == 1:
-            for actor, low in zip(other.actors, coarse):
-                actor.SetMapper(low)
+            put(coarse, other)
             drawn = scene.draw(other.window)
             assert 0.05 < scene.ink(drawn) < 0.6
-            for actor, mapper in zip(other.actors, full):
-                actor.SetMapper(mapper)
+            put(full, other)
         else:
             expected, found = scene.draw(plain.window), scene.draw(other.window)
             assert (expected == found).all(), "%d: %d pixels" % (
                 step, (expected != found).any(axis=2).sum())
+
+
+def test_stand_ins_that_come_first():
+    """Before the full surface is known, or was ever drawn: there is a pattern, and no trace of it."""
+    expected = scene.draw(Stage().window)
+    for known in (True, False):
+        stage = Stage()
+        camera = copied_camera(stage.renderer)
+        full = [actor.GetMapper() for actor in stage.actors]
+        sources = [mapper.GetInputAlgorithm() for mapper in full]
+        put(stand_ins(stage), stage)
+        for mapper in full:
+            if known:
+                mapper.Update()
+            else:
+                mapper.RemoveAllInputConnections(0)
+        for step in range(2):
+            stage.move(step)
+            found = scene.ink(scene.draw(stage.window))
+            assert abs(found - scene.ink(expected)) < 0.3 * scene.ink(expected), (known, found)
+        for mapper, source in zip(full, sources):
+            mapper.SetInputConnection(source.GetOutputPort())
+        put(full, stage)
+        stage.renderer.SetActiveCamera(camera)
+        assert (scene.draw(stage.window) == expected).all(), known
 
 
 scene.run(globals())

@@ -155,7 +155,24 @@ double vtkNoiseControl::ToneAt(const hachure::NoisePoint& point) const
     glm::clamp(glm::floor(pixel), glm::dvec2(0.0), glm::dvec2(part[2] - 1, part[3] - 1));
   const auto index = static_cast<std::size_t>(inside.y) * static_cast<std::size_t>(part[2]) +
     static_cast<std::size_t>(inside.x);
-  constexpr double full = 255.0;
-  return vtkPattern::CurvedTone(
-    tone, (*this->Tones)[4 * index + static_cast<std::size_t>(this->Channel)] / full);
+  return vtkPattern::CurvedTone(tone, this->ToneAtPixel(index, 0.5 * clip.z / clip.w + 0.5));
+}
+
+// Of several layers that of the one next to the point.
+double vtkNoiseControl::ToneAtPixel(std::size_t pixel, double depth) const
+{
+  double tone = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& image : *this->Tones)
+  {
+    const bool known = image.Depth.empty() || image.Depth[pixel] < 1.0f;
+    const double away = image.Depth.empty() ? 0.0 : std::abs(image.Depth[pixel] - depth);
+    if (known && away < least)
+    {
+      constexpr double full = 255.0;
+      tone = image.Tones[4 * pixel + static_cast<std::size_t>(this->Channel)] / full;
+      least = away;
+    }
+  }
+  return tone;
 }

@@ -34,13 +34,14 @@ private:
   hachure::NoiseKernelOptions::Control At(const hachure::NoisePoint& point) const;
   double ControlAt(const hachure::NoisePoint& point) const;
   double ToneAt(const hachure::NoisePoint& point) const;
+  double ToneAtPixel(std::size_t pixel, double depth) const;
 
   vtkNoiseLayer* Layer;
   const vtkPatternLayerPainter::FieldScene& Scene;
   int Channel;
   const vtkPatternSurfaceArray* Directions = nullptr;
   const vtkPatternSurfaceArray* Numbers = nullptr;
-  const std::vector<std::uint8_t>* Tones = nullptr;
+  const std::vector<vtkPatternLayerPainter::FieldScene::ToneImage>* Tones = nullptr;
   std::string Problem;
 };
 

@@ -14,9 +14,12 @@
  * that ink equals the tone, as for every other layer. The noise of a frame depends on surface,
  * camera and parameters alone, not on the frames before.
  *
- * On translucent surfaces every fragment sums up the kernels on its own plane, so that front and
- * back have their own noise. Of the tests only DepthTest counts there, kernels do not fade where
- * something hides them, and the control TONE changes nothing where the tone is not constant.
+ * On translucent surfaces every fragment sums up kernels, those on its own plane with DepthTest, so
+ * that front and back have their own noise. ObjectTest and TriangleTest trim them there as on
+ * opaque ones, but polygons of five corners or more, and those that are bent in, count as one
+ * triangle. PartialVisibility changes nothing: all sides are seen. For the control TONE every point
+ * has the tone of its own side: before such a surface is drawn, its tones are, layer by layer from
+ * the front. Of what lies behind the eighth layer the tone is that of the layer next to it.
  *
  * @sa vtkNoiseKernelPoints vtkImagePatternLayer
  */
@@ -61,8 +64,8 @@ public:
   };
 
   /**
-   * What changes size and regularity of the marks from place to place. TONE: the layer's own tone.
-   * ARRAY: ControlArrayName.
+   * What changes size and regularity of the marks from place to place. TONE: the layer's own tone,
+   * as it is drawn where a kernel's point is. ARRAY: ControlArrayName.
    */
   enum ControlType
   {
@@ -204,7 +207,8 @@ public:
    * on. TriangleTest: nor pixels of other triangles; default off. DepthTest: nor pixels that lie
    * off the kernel's plane, softly; default on. PartialVisibility: a kernel counts by the share of
    * it that is seen, so that it fades where it is hidden; default on. The first two draw the
-   * surface once more, where it has several blocks or TriangleTest is on.
+   * surface once more, where it has several blocks or TriangleTest is on; of a translucent one they
+   * take 8 bytes of the graphics card for every triangle instead.
    */
   vtkSetMacro(ObjectTest, bool);
   vtkGetMacro(ObjectTest, bool);

@@ -275,35 +275,61 @@ std::string vtkNoiseLayerPainter::DrawField(const FieldScene& scene, int channel
 
 std::string vtkNoiseLayerPainter::GetForwardDeclarations(bool) const
 {
-  return vtkNoiseKernelBuffers::Text(
-           NoiseForwardLayer, vtkNoiseKernelBuffers::Stage::Forward, this->FieldOptions().kind) +
-    this->InkText();
+  std::string text = vtkNoiseKernelBuffers::Text(
+    NoiseForwardLayer, vtkNoiseKernelBuffers::Stage::Forward, this->FieldOptions().kind);
+  vtkShaderProgram::Substitute(
+    text, "IDSHERE", this->NeedsPrimitiveIds() ? "hachureIdsHere" : "hachureNoIds@");
+  return text + this->InkText();
+}
+
+bool vtkNoiseLayerPainter::NeedsPrimitiveIds() const
+{
+  return this->Forward && (this->ForwardObjects || this->Layer->GetTriangleTest());
 }
 
 bool vtkNoiseLayerPainter::ForwardState::operator==(const ForwardState& other) const
 {
   return this->ModelToClip == other.ModelToClip && this->Viewport == other.Viewport &&
     this->Rectangle == other.Rectangle && this->Period == other.Period &&
-    this->SurfaceVersion == other.SurfaceVersion && this->LayerTime == other.LayerTime;
+    this->SurfaceVersion == other.SurfaceVersion && this->LayerTime == other.LayerTime &&
+    this->Frame == other.Frame;
+}
+
+std::vector<hachure::NoiseKernel> vtkNoiseLayerPainter::ForwardKernelsOf(
+  const FieldScene& scene, const vtkNoiseControl& control) const
+{
+  hachure::NoiseKernelOptions options = this->KernelOptions();
+  control.Apply(options);
+  std::vector<hachure::NoiseKernel> kernels = this->Kernels(scene, options, false);
+  if (this->Layer->GetTriangleTest())
+  {
+    const std::vector<std::int32_t>& facets = scene.Surface->Facets();
+    for (hachure::NoiseKernel& kernel : kernels)
+    {
+      kernel.triangle = facets[static_cast<std::size_t>(kernel.triangle)];
+    }
+  }
+  return kernels;
 }
 
 std::string vtkNoiseLayerPainter::DrawForwardField(const FieldScene& scene, int channel)
 {
   this->Forward = true;
+  this->ForwardObjects = this->Layer->GetObjectTest() && scene.Surface->HasSeveralBlocks();
+  const bool tones = channel >= 0 && this->Layer->GetControl() == vtkNoiseLayer::TONE;
   const ForwardState state = { scene.ModelToClip, scene.Viewport, scene.Rectangle, this->Period,
-    scene.Surface->GetVersion(), this->Layer->GetMTime() };
+    scene.Surface->GetVersion(), this->Layer->GetMTime(), tones ? scene.Frame : 0 };
   // Depth peeling draws the surface many times.
   if (state == this->ForwardDrawn && this->ForwardKernels.IsUsable())
   {
     return this->ForwardProblem;
   }
   const vtkNoiseControl control(this->Layer, scene, channel);
-  hachure::NoiseKernelOptions options = this->KernelOptions();
-  control.Apply(options);
   std::string problem = control.GetProblem();
   vtkNoiseKernelBuffers::Content content = { {}, scene.Rectangle, this->DepthTolerance(scene),
-    this->Layer->GetDepthTest(), false, false, false, this->FieldOptions() };
-  const std::vector<hachure::NoiseKernel> kernels = this->Kernels(scene, options, false);
+    this->Layer->GetDepthTest(), false, this->ForwardObjects, this->Layer->GetTriangleTest(),
+    this->FieldOptions() };
+  const std::vector<hachure::NoiseKernel> kernels = this->ForwardKernelsOf(scene, control);
   content.Kernels = kernels;
   if (!this->ForwardKernels.Upload(this->Window, content))
   {

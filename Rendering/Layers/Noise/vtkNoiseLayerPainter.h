@@ -19,6 +19,7 @@
 #include <map>
 #include <memory>
 
+class vtkNoiseControl;
 class vtkNoiseLayer;
 
 class vtkNoiseLayerPainter : public vtkPatternLayerPainter
@@ -32,6 +33,7 @@ public:
   const std::vector<float>& GetTableRows() const override { return this->Thresholds; }
   unsigned long GetTableVersion() const override { return this->TableVersion; }
   bool NeedsField() const override { return true; }
+  bool NeedsPrimitiveIds() const override;
   std::string DrawField(const FieldScene& scene, int channel) override;
   std::string DrawForwardField(const FieldScene& scene, int channel) override;
   void SetUniforms(vtkShaderProgram* program, const std::string& number,
@@ -49,6 +51,8 @@ private:
   void UpdateThresholds();
   hachure::NoiseFieldOptions FieldOptions() const;
   hachure::NoiseKernelOptions KernelOptions() const;
+  std::vector<hachure::NoiseKernel> ForwardKernelsOf(
+    const FieldScene& scene, const vtkNoiseControl& control) const;
   // isDepthAtHand: kernels that the depth hides are left out.
   std::vector<hachure::NoiseKernel> Kernels(const FieldScene& scene,
     const hachure::NoiseKernelOptions& options, bool isDepthAtHand) const;
@@ -81,9 +85,11 @@ private:
     double Period;
     unsigned long SurfaceVersion;
     vtkMTimeType LayerTime;
+    unsigned long Frame; // where they follow the tones of a frame
     bool operator==(const ForwardState& other) const;
   };
-  bool Forward = false; // such a surface is drawn now
+  bool Forward = false;        // such a surface is drawn now
+  bool ForwardObjects = false; // and its blocks are told apart
   vtkNoiseKernelBuffers ForwardKernels;
   ForwardState ForwardDrawn{};
   std::string ForwardProblem;

@@ -3,9 +3,12 @@
 #include "vtkPatternNoiseSurface.h"
 
 #include "Random.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPatternBlocks.h"
 #include "vtkPolyData.h"
 
@@ -24,6 +27,31 @@ std::uint64_t TimeOf(vtkDataObject* input)
   }
   return time;
 }
+
+// Whether VTK cuts a cell into these triangles, in this order. corners: memory.
+bool IsCutAlike(vtkPolyData* block, vtkIdType cell, hachure::Span<const glm::ivec3> triangles,
+  int firstPoint, vtkIdList* corners)
+{
+  constexpr std::size_t mostCorners = 4;
+  const vtkIdType firstPolygon = block->GetNumberOfVerts() + block->GetNumberOfLines();
+  const vtkIdType firstStrip = firstPolygon + block->GetNumberOfPolys();
+  const bool strip = cell >= firstStrip;
+  (strip ? block->GetStrips() : block->GetPolys())
+    ->GetCellAtId(cell - (strip ? firstStrip : firstPolygon), corners);
+  const auto size = static_cast<std::size_t>(corners->GetNumberOfIds());
+  if (triangles.size() + 2 != size || (!strip && size > mostCorners))
+  {
+    return false;
+  }
+  const auto corner = [&](std::size_t i)
+  { return static_cast<int>(corners->GetId(static_cast<vtkIdType>(i))) + firstPoint; };
+  bool alike = true;
+  for (std::size_t i = 0; !strip && i < triangles.size(); ++i)
+  {
+    alike = alike && triangles[i] == glm::ivec3(corner(0), corner(i + 1), corner(i + 2));
+  }
+  return alike;
+}
 } // namespace
 
 void vtkPatternNoiseSurface::Update(vtkDataObject* input)
@@ -39,8 +67,11 @@ void vtkPatternNoiseSurface::Update(vtkDataObject* input)
   const vtkPatternGeometry::Change change = this->Geometry.Update(input);
   if (change == vtkPatternGeometry::REPLACED)
   {
+    ++this->CellVersion;
+    this->FacetOfTriangle.clear();
     this->Seeds.clear();
     this->Arrays.clear();
+    this->Surface = {}; // also of an input that is refused
     this->Surface = hachure::extractSurfaceTriangles(input);
     this->Identify(input);
   }
@@ -96,6 +127,71 @@ void vtkPatternNoiseSurface::Move()
   for (auto& seed : this->Seeds)
   {
     seed.second.setPositions(this->Positions);
+  }
+}
+
+const std::vector<std::int32_t>& vtkPatternNoiseSurface::Facets()
+{
+  const std::size_t count = this->Surface.triangles.size();
+  if (this->FacetOfTriangle.size() == count)
+  {
+    return this->FacetOfTriangle;
+  }
+  const std::vector<vtkPattern::Block> blocks = vtkPattern::Blocks(this->Input);
+  const hachure::Span<const glm::ivec3> triangles(this->Surface.triangles);
+  vtkNew<vtkIdList> corners;
+  this->FacetOfTriangle.clear();
+  this->FacetOfTriangle.reserve(count);
+  std::size_t end = 0;
+  for (std::size_t begin = 0; begin < count; begin = end)
+  {
+    const vtkIdType cell = this->Surface.cells[begin];
+    const std::int32_t block = this->Surface.blockIndices[begin];
+    while (
+      end < count && this->Surface.cells[end] == cell && this->Surface.blockIndices[end] == block)
+    {
+      ++end;
+    }
+    const auto index = static_cast<std::size_t>(block);
+    const bool alike = IsCutAlike(blocks[index].Data, cell, triangles.subspan(begin, end - begin),
+      this->Surface.blocks[index].firstPoint, corners);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      this->FacetOfTriangle.push_back(static_cast<std::int32_t>(alike ? i : begin));
+    }
+  }
+  return this->FacetOfTriangle;
+}
+
+void vtkPatternNoiseSurface::AppendPrimitiveIds(
+  vtkPolyData* block, hachure::Span<const vtkIdType> cells, std::vector<float>& ids)
+{
+  const std::vector<vtkPattern::Block> blocks = vtkPattern::Blocks(this->Input);
+  const auto object = static_cast<std::size_t>(
+    std::find_if(blocks.begin(), blocks.end(),
+      [block](const vtkPattern::Block& candidate) { return candidate.Data == block; }) -
+    blocks.begin());
+  const auto start = [this](std::size_t index)
+  {
+    const bool known = index < this->Surface.blocks.size();
+    return known ? static_cast<std::size_t>(this->Surface.blocks[index].firstTriangle)
+                 : this->Surface.triangles.size();
+  };
+  const auto begin = this->Surface.cells.begin() + static_cast<std::ptrdiff_t>(start(object));
+  const auto end = this->Surface.cells.begin() + static_cast<std::ptrdiff_t>(start(object + 1));
+  const std::vector<std::int32_t>& facets = this->Facets();
+  ids.reserve(ids.size() + 2 * cells.size());
+  auto triangle = begin;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    const bool another = i == 0 || cells[i] != cells[i - 1];
+    triangle = another ? std::lower_bound(begin, end, cells[i]) : triangle;
+    const bool found = triangle != end && *triangle == cells[i];
+    const auto index = static_cast<std::size_t>(triangle - this->Surface.cells.begin());
+    ids.push_back(object < blocks.size() ? static_cast<float>(object) : -1.0f);
+    ids.push_back(found ? static_cast<float>(facets[index]) : -1.0f);
+    const bool more = found && triangle + 1 != end && *(triangle + 1) == cells[i];
+    triangle += more ? 1 : 0;
   }
 }
 

@@ -18,6 +18,7 @@
 #include <vector>
 
 class vtkDataObject;
+class vtkPolyData;
 
 class vtkPatternNoiseSurface
 {
@@ -33,10 +34,20 @@ public:
   const std::vector<std::uint64_t>& TriangleIds() const { return this->Ids; }
   /// Block of each triangle.
   const std::vector<std::int32_t>& Objects() const { return this->Surface.blockIndices; }
+  /// For every triangle the one that stands for it where VTK draws the surface: itself, or the
+  /// first one of its cell where VTK may cut the cell another way, which are polygons of five
+  /// corners or more and those that are bent in.
+  const std::vector<std::int32_t>& Facets();
+  /// Block and facet, or -1, for the primitives that VTK draws a block with; `cells`: of each.
+  /// Those of one cell follow each other.
+  void AppendPrimitiveIds(
+    vtkPolyData* block, hachure::Span<const vtkIdType> cells, std::vector<float>& ids);
   /// Throws std::invalid_argument as vtkPatternSurfaceArray does. Until the next update.
   const vtkPatternSurfaceArray& Array(const std::string& name, int components);
   /// Another one whenever the surface or its data has changed.
   unsigned long GetVersion() const { return this->Version; }
+  /// Another one whenever its cells are others.
+  unsigned long GetCellVersion() const { return this->CellVersion; }
   bool HasSeveralBlocks() const { return this->Surface.blocks.size() > 1; }
 
 private:
@@ -51,6 +62,8 @@ private:
   vtkDataObject* Input = nullptr; // of the last update
   std::uint64_t InputTime = 0;
   unsigned long Version = 0;
+  unsigned long CellVersion = 0;
+  std::vector<std::int32_t> FacetOfTriangle; // empty: not asked for yet
   std::map<std::pair<std::string, int>, vtkPatternSurfaceArray> Arrays;
 };
 

@@ -245,6 +245,13 @@ glm::dvec2 NoiseProjection::turn(
   return { first.x + facing * second.y, first.y - facing * second.x };
 }
 
+double NoiseProjection::radiusAt(const glm::dvec3& point) const
+{
+  const double w = at(this->rowW, point);
+  return w > 0.0 ? this->options.radius * w / std::sqrt(this->normLimit)
+                 : std::numeric_limits<double>::infinity();
+}
+
 NoiseKernelOptions::Control NoiseProjection::control(const NoisePoint& point) const
 {
   NoiseKernelOptions::Control result;

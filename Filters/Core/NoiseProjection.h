@@ -74,6 +74,10 @@ public:
 
   NoiseKernelOptions::Control control(const NoisePoint& point) const;
 
+  // Length on a surface that faces the viewer at this point, which spans the radius of a kernel
+  // without a control; infinite behind the eye.
+  double radiusAt(const glm::dvec3& point) const;
+
 private:
   bool meetsViewport(const glm::dvec2& center, double radius) const;
   static glm::dvec2 turn(const NoiseTriangle& triangle, const glm::dvec2& u, const glm::dvec2& v);

@@ -391,6 +391,26 @@ TEST(NoiseAttachment, PartsThatComeAndGo)
   }
 }
 
+// So does a strip at the border, where the closest points of the old surface are all on its border.
+TEST(NoiseAttachment, GrowingBorder)
+{
+  NoiseAttachment attachment(8);
+  NoiseAttachment none(0);
+  const NoiseView view = parallelView({ 400, 400 });
+  for (int i = 0; i < 6; ++i)
+  {
+    Surface surface;
+    const double width = 200.0 + 16.0 * i;
+    addGrid(surface, { -180, -190, 0 }, { width, 0, 0 }, { 0, 380, 0 }, 10 + i);
+    std::vector<NoiseKernel> kernels, fresh;
+    attachment.kernels(attachable(surface), view, isotropic(), kernels);
+    none.kernels(attachable(surface), view, isotropic(), fresh);
+    const glm::dvec2 low(20.0 + width - 14.0, 20.0), high(20.0 + width, 380.0);
+    const double share = meanOverlap(kernels, low, high, 2.0) / meanOverlap(fresh, low, high, 2.0);
+    EXPECT_NEAR(share, 1.0, 0.2) << i;
+  }
+}
+
 TEST(NoiseAttachment, OddSurfaces)
 {
   Surface triangle;

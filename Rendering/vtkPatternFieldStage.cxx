@@ -111,13 +111,14 @@ std::string vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
     }
     return tones;
   };
-  return compositor.DrawFields(
-    { &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle, DepthPerPixel(*this),
-      this->NoiseBackEnd, this->Resources.SurfaceDepth, lookAtDepth, look, lookAtTones });
+  return compositor.DrawFields({ &this->Surface, this->History, this->LookOn, this->ModelToClip,
+    this->Viewport, this->Rectangle, DepthPerPixel(*this), this->NoiseBackEnd,
+    this->Resources.SurfaceDepth, lookAtDepth, look, lookAtTones });
 }
 
 std::string vtkPatternFieldStage::DrawForward(vtkPatternCompositor& compositor) const
 {
-  return compositor.DrawForwardFields({ &this->Surface, this->ModelToClip, this->Viewport,
-    this->Rectangle, DepthPerPixel(*this), this->NoiseBackEnd, nullptr, {}, {}, {} });
+  return compositor.DrawForwardFields(
+    { &this->Surface, this->History, this->LookOn, this->ModelToClip, this->Viewport,
+      this->Rectangle, DepthPerPixel(*this), this->NoiseBackEnd, nullptr, {}, {}, {} });
 }

@@ -6,6 +6,7 @@
 
 #include "AnchoredPatterns.h"
 #include "vtkActor.h"
+#include "vtkAlgorithmOutput.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCameraInterpolator.h"
@@ -537,6 +538,22 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
   }
 }
 
+// Of the object in this renderer; null for stand-ins of lower detail and anchored patterns.
+vtkPatternNoiseHistory* vtkPatternMapper::NoiseHistory(Drawing& drawing)
+{
+  if (this->TrackedMapper)
+  {
+    return nullptr;
+  }
+  if (this->Style->GetTrackingMode() == vtkPatternStyle::ANCHORED)
+  {
+    drawing.Track->Noise.Forget();
+    return nullptr;
+  }
+  drawing.Track->Noise.Keep(this->Style);
+  return &drawing.Track->Noise;
+}
+
 // Returns whether all could be drawn.
 bool vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToClip, bool forward)
 {
@@ -559,10 +576,14 @@ bool vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToCli
   }
   try
   {
-    this->Internal->NoiseSurface.Update(this->GetInputDataObject(0, 0));
+    vtkDataObject* input = this->GetInputDataObject(0, 0);
+    this->Internal->NoiseSurface.Update(input,
+      { this->GetInputAlgorithm(), this->GetInputConnection(0, 0)->GetIndex(),
+        vtkPatternViewContext::DataTimeOf(input), this->AnimationTime });
     const vtkPatternFieldStage stage = { drawing.Window, *drawing.Part.Resources,
-      this->Internal->NoiseSurface, modelToClip, drawing.Viewport.Drawn, drawing.Rectangle,
-      { center[0], center[1], center[2] }, backEnd };
+      this->Internal->NoiseSurface, this->NoiseHistory(drawing), drawing.Viewport.IsTile,
+      modelToClip, drawing.Viewport.Drawn, drawing.Rectangle, { center[0], center[1], center[2] },
+      backEnd };
     this->Report(
       forward ? stage.DrawForward(drawing.Part.Compositor) : stage.Draw(drawing.Part.Compositor),
       this->Internal->ReportedField);

@@ -250,6 +250,7 @@ private:
   void RenderForward(Drawing& drawing);
   void DrawAttributes(Drawing& drawing);
   void UploadPatchRecords(Drawing& drawing);
+  class vtkPatternNoiseHistory* NoiseHistory(Drawing& drawing);
   bool DrawFields(Drawing& drawing, const glm::dmat4& modelToClip, bool forward);
   bool HasRemainder(vtkActor* actor);
   std::array<double, 3> GetNanColor();

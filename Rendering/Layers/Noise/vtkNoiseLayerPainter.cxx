@@ -14,6 +14,7 @@
 #include "vtkNoiseLayer.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternMapper.h"
+#include "vtkPatternNoiseHistory.h"
 #include "vtkPatternNoiseSurface.h"
 #include "vtkPatternShaderText.h"
 #include "vtkShaderProgram.h"
@@ -203,10 +204,18 @@ std::vector<hachure::NoiseKernel> vtkNoiseLayerPainter::Kernels(
   view.viewportOrigin = { scene.Viewport[0], scene.Viewport[1] };
   view.viewportSize = { scene.Viewport[2], scene.Viewport[3] };
   const std::uint32_t seed = this->Layer->GetSeed();
-  return this->Layer->GetDistribution() == vtkNoiseLayer::CLASSIC
-    ? hachure::classicNoiseKernels(
-        surface.Mesh(), surface.TriangleIds(), surface.Objects(), seed, view, options)
-    : surface.Points(seed).kernels(view, options);
+  if (this->Layer->GetDistribution() == vtkNoiseLayer::CLASSIC)
+  {
+    return hachure::classicNoiseKernels(
+      surface.Mesh(), surface.TriangleIds(), surface.Objects(), seed, view, options);
+  }
+  if (!scene.History)
+  {
+    return surface.Points(seed)->kernels(view, options);
+  }
+  std::vector<hachure::NoiseKernel> kernels;
+  scene.History->Kernels(this->Layer, surface, view, options, scene.LookOn, kernels);
+  return kernels;
 }
 
 float vtkNoiseLayerPainter::DepthTolerance(const FieldScene& scene) const
@@ -264,14 +273,15 @@ bool vtkNoiseLayerPainter::ForwardState::operator==(const ForwardState& other) c
 {
   return this->ModelToClip == other.ModelToClip && this->Viewport == other.Viewport &&
     this->Rectangle == other.Rectangle && this->Period == other.Period &&
-    this->SurfaceVersion == other.SurfaceVersion && this->LayerTime == other.LayerTime;
+    this->SurfaceVersion == other.SurfaceVersion && this->History == other.History &&
+    this->LayerTime == other.LayerTime;
 }
 
 std::string vtkNoiseLayerPainter::DrawForwardField(const FieldScene& scene, int channel)
 {
   this->Forward = true;
   const ForwardState state = { scene.ModelToClip, scene.Viewport, scene.Rectangle, this->Period,
-    scene.Surface->GetVersion(), this->Layer->GetMTime() };
+    scene.Surface->GetVersion(), scene.History, this->Layer->GetMTime() };
   // Depth peeling draws the surface many times.
   if (state == this->ForwardDrawn && this->ForwardKernels.IsUsable())
   {

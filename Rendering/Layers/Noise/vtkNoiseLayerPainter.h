@@ -79,6 +79,7 @@ private:
     std::array<int, 4> Rectangle;
     double Period;
     unsigned long SurfaceVersion;
+    const vtkPatternNoiseHistory* History;
     vtkMTimeType LayerTime;
     bool operator==(const ForwardState& other) const;
   };

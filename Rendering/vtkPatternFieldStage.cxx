@@ -111,9 +111,9 @@ std::string vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
     }
     return tones;
   };
-  return compositor.DrawFields({ &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle,
-    DepthPerPixel(*this), this->NoiseBackEnd, this->Frame, this->Resources.SurfaceDepth,
-    lookAtDepth, look, lookAtTones });
+  return compositor.DrawFields({ &this->Surface, this->History, this->LookOn, this->ModelToClip,
+    this->Viewport, this->Rectangle, DepthPerPixel(*this), this->NoiseBackEnd, this->Frame,
+    this->Resources.SurfaceDepth, lookAtDepth, look, lookAtTones });
 }
 
 std::string vtkPatternFieldStage::DrawForward(vtkPatternCompositor& compositor) const
@@ -124,7 +124,7 @@ std::string vtkPatternFieldStage::DrawForward(vtkPatternCompositor& compositor) 
     tones = tones ? tones : &this->PeelTones();
     return *tones;
   };
-  return compositor.DrawForwardFields(
-    { &this->Surface, this->ModelToClip, this->Viewport, this->Rectangle, DepthPerPixel(*this),
-      this->NoiseBackEnd, this->Frame, nullptr, {}, {}, lookAtTones });
+  return compositor.DrawForwardFields({ &this->Surface, this->History, this->LookOn,
+    this->ModelToClip, this->Viewport, this->Rectangle, DepthPerPixel(*this), this->NoiseBackEnd,
+    this->Frame, nullptr, {}, {}, lookAtTones });
 }

@@ -19,6 +19,7 @@
 
 class vtkOpenGLRenderWindow;
 class vtkPatternCompositor;
+class vtkPatternNoiseHistory;
 class vtkPatternNoiseSurface;
 class vtkPatternWindowResources;
 
@@ -27,6 +28,8 @@ struct vtkPatternFieldStage
   vtkOpenGLRenderWindow* Window;
   vtkPatternWindowResources& Resources; // the attribute images of the surface
   vtkPatternNoiseSurface& Surface;
+  vtkPatternNoiseHistory* History; // null: nothing is remembered
+  bool LookOn;                     // what is remembered stays
   glm::dmat4 ModelToClip;
   std::array<int, 4> Viewport;  // x, y, width, height in the framebuffer
   std::array<int, 4> Rectangle; // that the attribute stage has drawn

@@ -6,6 +6,7 @@
 
 #include "AnchoredPatterns.h"
 #include "vtkActor.h"
+#include "vtkAlgorithmOutput.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCameraInterpolator.h"
@@ -426,12 +427,20 @@ bool vtkPatternMapper::GetUsesPrimitiveIds() const
   return this->Internal->UsesPrimitiveIds;
 }
 
+void vtkPatternMapper::UpdateNoiseSurface()
+{
+  vtkDataObject* input = this->GetInputDataObject(0, 0);
+  this->Internal->NoiseSurface.Update(input,
+    { this->GetInputAlgorithm(), this->GetInputConnection(0, 0)->GetIndex(),
+      vtkPatternViewContext::DataTimeOf(input), this->AnimationTime });
+}
+
 void vtkPatternMapper::AppendPrimitiveIds(
   vtkPolyData* block, const std::vector<vtkIdType>& cells, std::vector<float>& ids)
 {
   try
   {
-    this->Internal->NoiseSurface.Update(this->GetInputDataObject(0, 0));
+    this->UpdateNoiseSurface();
   }
   catch (const std::exception&)
   {
@@ -611,6 +620,22 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
   }
 }
 
+// Of the object in this renderer; null for stand-ins of lower detail and anchored patterns.
+vtkPatternNoiseHistory* vtkPatternMapper::NoiseHistory(Drawing& drawing)
+{
+  if (this->TrackedMapper)
+  {
+    return nullptr;
+  }
+  if (this->Style->GetTrackingMode() == vtkPatternStyle::ANCHORED)
+  {
+    drawing.Track->Noise.Forget();
+    return nullptr;
+  }
+  drawing.Track->Noise.Keep(this->Style);
+  return &drawing.Track->Noise;
+}
+
 // Returns whether all could be drawn.
 bool vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToClip, bool forward)
 {
@@ -633,11 +658,11 @@ bool vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToCli
   }
   try
   {
-    this->Internal->NoiseSurface.Update(this->GetInputDataObject(0, 0));
+    this->UpdateNoiseSurface();
     const vtkPatternFieldStage stage = { drawing.Window, *drawing.Part.Resources,
-      this->Internal->NoiseSurface, modelToClip, drawing.Viewport.Drawn, drawing.Rectangle,
-      { center[0], center[1], center[2] }, backEnd,
-      vtkPatternViewContext::Get(drawing.Renderer)->GetFrameNumber(),
+      this->Internal->NoiseSurface, this->NoiseHistory(drawing), drawing.Viewport.IsTile,
+      modelToClip, drawing.Viewport.Drawn, drawing.Rectangle, { center[0], center[1], center[2] },
+      backEnd, vtkPatternViewContext::Get(drawing.Renderer)->GetFrameNumber(),
       [&]() -> const std::vector<vtkPatternTonePeel::Image>&
       {
         this->PeelTones(drawing);

@@ -261,6 +261,8 @@ private:
   void DrawAttributes(Drawing& drawing, vtkPatternShaderInjector* injector);
   void PeelTones(Drawing& drawing);
   void UploadPatchRecords(Drawing& drawing);
+  class vtkPatternNoiseHistory* NoiseHistory(Drawing& drawing);
+  void UpdateNoiseSurface();
   bool DrawFields(Drawing& drawing, const glm::dmat4& modelToClip, bool forward);
   bool HasRemainder(vtkActor* actor);
   std::array<double, 3> GetNanColor();

@@ -46,19 +46,11 @@ unsigned long NextFrameNumber()
   return ++last;
 }
 
-// Time of a data set, not a number where it has none.
-double DataTimeOf(vtkDataObject* input)
-{
-  vtkInformation* information = input->GetInformation();
-  return information->Has(vtkDataObject::DATA_TIME_STEP())
-    ? information->Get(vtkDataObject::DATA_TIME_STEP())
-    : std::numeric_limits<double>::quiet_NaN();
-}
-
 // Time that has passed since the last advance, by the data's clock where both frames have one.
 double TimePassed(const vtkPatternViewContext::Track& track)
 {
-  const double data = DataTimeOf(track.Mapper->GetInputDataObject(0, 0)) - track.DataTime;
+  const double data =
+    vtkPatternViewContext::DataTimeOf(track.Mapper->GetInputDataObject(0, 0)) - track.DataTime;
   return std::isfinite(data) ? data : track.Mapper->GetAnimationTime() - track.AnimationTime;
 }
 
@@ -137,6 +129,14 @@ bool NearlyEqual(
 }
 } // namespace
 
+double vtkPatternViewContext::DataTimeOf(vtkDataObject* input)
+{
+  vtkInformation* information = input->GetInformation();
+  return information->Has(vtkDataObject::DATA_TIME_STEP())
+    ? information->Get(vtkDataObject::DATA_TIME_STEP())
+    : std::numeric_limits<double>::quiet_NaN();
+}
+
 vtkPatternViewContext::vtkPatternViewContext() = default;
 vtkPatternViewContext::~vtkPatternViewContext() = default;
 
@@ -214,6 +214,7 @@ void vtkPatternViewContext::Reanchor(vtkPatternMapper* mapper)
     {
       track->Tracker.reanchor();
       track->KnownOctaves.clear();
+      track->Noise.Forget();
       track->View = hachure::ViewProjection();
       track->Visibility.Forget();
     }

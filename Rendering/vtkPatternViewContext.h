@@ -18,6 +18,7 @@
 #include "TimedOctave.h"
 #include "vtkObject.h"
 #include "vtkPatternFeatures.h"
+#include "vtkPatternNoiseHistory.h"
 #include "vtkPatternSamples.h"
 #include "vtkPatternVisibility.h"
 #include "vtkPatternWindowResources.h"
@@ -31,6 +32,7 @@
 #include <vector>
 
 class vtkActor;
+class vtkDataObject;
 class vtkPatternLayer;
 class vtkPatternMapper;
 class vtkPatternStyle;
@@ -74,8 +76,12 @@ public:
       std::map<vtkSmartPointer<vtkPatternLayer>, std::vector<hachure::TimedOctave>>;
     LayerOctaves KnownOctaves;
     LayerOctaves Octaves;
+    vtkPatternNoiseHistory Noise;
     std::string Problem; // with an array of the input, empty where there is none
   };
+
+  /// Time of a data set, not a number where it has none.
+  static double DataTimeOf(vtkDataObject* input);
 
   /// How a style wants its patterns tracked.
   static hachure::TrackerOptions OptionsOf(vtkPatternStyle* style);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NoiseProjection.h"
 
+#include "NoiseProcess.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -225,6 +227,13 @@ NoiseBlockView NoiseProjection::blockView(const NoiseFrame& frame) const
   return view;
 }
 
+double NoiseProjection::radiusAt(const glm::dvec3& point) const
+{
+  const double w = at(this->rowW, point);
+  return w > 0.0 ? this->options.radius * w / std::sqrt(this->normLimit)
+                 : std::numeric_limits<double>::infinity();
+}
+
 NoiseKernelOptions::Control NoiseProjection::control(const NoisePoint& point) const
 {
   NoiseKernelOptions::Control result;
@@ -302,6 +311,24 @@ bool NoiseProjection::placeKernel(const NoiseImages& images, int lane, const Noi
   kernel.triangle = point.triangle;
   kernel.id = point.id;
   return true;
+}
+
+bool NoiseProjection::makeKernel(
+  const NoiseTriangle& triangle, const NoisePoint& point, NoiseKernel& kernel) const
+{
+  const NoiseFrame frame{ triangle.origin + point.weights.x * triangle.u +
+      point.weights.y * triangle.v,
+    powerOfTwo(binaryExponent(std::max(glm::length(triangle.u), 1e-300))) };
+  NoiseBlock block{};
+  block.count = 1;
+  block.place(0, triangle, point.weights, frame);
+  block.birth[0] = static_cast<float>(point.birth * frame.unit * frame.unit);
+  NoiseImages images;
+  projectNoiseBlock(this->blockView(frame), block, images);
+  const NoiseKernelOptions::Control control = this->control(point);
+  const double weight = this->weight(images, block, 0, control);
+  return !std::signbit(images.seen[0]) && weight > 0.0 &&
+    this->placeKernel(images, 0, point, control, weight, kernel);
 }
 
 void NoiseOutputs::restart(std::int64_t count, bool wantsPoints)

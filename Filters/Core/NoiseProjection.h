@@ -48,12 +48,20 @@ public:
   bool placeKernel(const NoiseImages& images, int lane, const NoisePoint& point,
     const NoiseKernelOptions::Control& control, double weight, NoiseKernel& kernel) const;
 
+  // Whether a single point of a triangle has a kernel; sets all of it but the object.
+  bool makeKernel(
+    const NoiseTriangle& triangle, const NoisePoint& point, NoiseKernel& kernel) const;
+
   // Weight of a point of a block, with its control.
   double weight(const NoiseImages& images, const NoiseBlock& block, int lane,
     const NoiseKernelOptions::Control& control) const;
 
   bool isControlled() const { return static_cast<bool>(this->options.control); }
   NoiseKernelOptions::Control control(const NoisePoint& point) const;
+
+  // Length on a surface that faces the viewer at this point, which spans the radius of a kernel
+  // without a control; infinite behind the eye.
+  double radiusAt(const glm::dvec3& point) const;
 
 private:
   bool meetsViewport(const glm::vec2& center, double radius) const;

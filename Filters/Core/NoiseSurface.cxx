@@ -334,7 +334,7 @@ struct NoiseSurface::Data
 };
 
 NoiseSurface::NoiseSurface(const TriangleMesh& reference, Span<const std::uint64_t> ids,
-  Span<const std::int32_t> objects, std::uint32_t seed)
+  Span<const std::int32_t> objects, std::uint32_t seed, Span<const double> areas)
   : data(std::make_unique<Data>())
 {
   if (!objects.empty() && objects.size() != reference.triangles.size())
@@ -342,7 +342,7 @@ NoiseSurface::NoiseSurface(const TriangleMesh& reference, Span<const std::uint64
     throw std::invalid_argument("objects: " + std::to_string(objects.size()) + " values for " +
       std::to_string(reference.triangles.size()) + " triangles");
   }
-  this->data->tree = buildNoiseSurfaceTree(reference, ids, seed);
+  this->data->tree = buildNoiseSurfaceTree(reference, ids, seed, areas);
   this->data->objects.assign(objects.begin(), objects.end());
   this->data->positions = reference.points;
   this->data->cache.resize(this->data->tree.nodes.size());
@@ -450,6 +450,21 @@ void NoiseSurface::setMemoryBudget(std::size_t bytes)
 {
   this->data->budget = bytes;
   this->data->trim({});
+}
+
+const NoiseSurfaceTree& NoiseSurface::tree() const
+{
+  return this->data->tree;
+}
+
+Span<const glm::dvec3> NoiseSurface::positions() const
+{
+  return this->data->positions;
+}
+
+Span<const std::int32_t> NoiseSurface::objects() const
+{
+  return this->data->objects;
 }
 
 } // namespace hachure

@@ -30,6 +30,8 @@
 namespace hachure
 {
 
+struct NoiseSurfaceTree;
+
 struct NoisePoint
 {
   std::int32_t triangle = 0;
@@ -87,11 +89,13 @@ class NoiseSurface
 public:
   // ids: per triangle, the same for the same triangle in every time step and on every rank; empty:
   // a hash of the corners' positions in the reference mesh. objects: block of each triangle; empty:
-  // all 0. The mesh is the reference: areas are measured on it. Triangles without area have no
-  // points. Its points must outlive the calls up to that of setPositions; all else is copied.
-  // Throws std::invalid_argument as checkTriangleMesh does, and for arrays of other lengths.
+  // all 0. The mesh is the reference: areas are measured on it, or are those given, where triangles
+  // were known before by their ids. Triangles without area have no points. Its points must outlive
+  // the calls up to that of setPositions; all else is copied. Throws std::invalid_argument as
+  // checkTriangleMesh does, for arrays of other lengths, and for areas that are not finite and 0 or
+  // more.
   NoiseSurface(const TriangleMesh& reference, Span<const std::uint64_t> ids = {},
-    Span<const std::int32_t> objects = {}, std::uint32_t seed = 1);
+    Span<const std::int32_t> objects = {}, std::uint32_t seed = 1, Span<const double> areas = {});
   ~NoiseSurface();
   NoiseSurface(NoiseSurface&&) noexcept;
   NoiseSurface& operator=(NoiseSurface&&) noexcept;
@@ -122,6 +126,11 @@ public:
   // Bytes that points may take which kernels() made; those that were not met for longest are
   // dropped, and made again, equal, when they are. Default 256 MiB.
   void setMemoryBudget(std::size_t bytes);
+
+  // For NoiseAttachment: the triangles, where they are, and their blocks (empty: all 0).
+  const NoiseSurfaceTree& tree() const;
+  Span<const glm::dvec3> positions() const;
+  Span<const std::int32_t> objects() const;
 
 private:
   struct Data;

@@ -165,6 +165,7 @@ struct Reference
   const TriangleMesh& mesh;
   Span<const std::uint64_t> ids;
   std::uint32_t seed;
+  Span<const double> areas;
   const UninitialisedArray<std::int32_t>& order;
 };
 
@@ -209,7 +210,7 @@ double fillLeaf(NoiseSurfaceTree& tree, const Reference& reference, std::int64_t
     const glm::dvec3& c = reference.mesh.points[facet.corners.z];
     const std::uint64_t id =
       reference.ids.empty() ? noiseTriangleId(a, b, c) : reference.ids[facet.index];
-    facet.area = areaOf(b - a, c - a);
+    facet.area = reference.areas.empty() ? areaOf(b - a, c - a) : reference.areas[facet.index];
     facet.key = noiseTriangleKey(reference.seed, id);
     extent.add(a, b, c);
     sum += facet.area;
@@ -315,6 +316,33 @@ void shareOut(NoiseSurfaceTree& tree, const RecordParts& parts)
   }
 }
 
+// Values per triangle, where there are any.
+void checkLength(const char* name, std::size_t length, const TriangleMesh& reference)
+{
+  if (length != 0 && length != reference.triangles.size())
+  {
+    std::string message = name;
+    message += ": " + std::to_string(length);
+    message += " values for " + std::to_string(reference.triangles.size());
+    message += " triangles";
+    throw std::invalid_argument(message);
+  }
+}
+
+void checkAreas(Span<const double> areas)
+{
+  for (std::size_t i = 0; i < areas.size(); ++i)
+  {
+    if (!(areas[i] >= 0.0 && std::isfinite(areas[i])))
+    {
+      std::string message = "areas[" + std::to_string(i);
+      message += "] is " + std::to_string(areas[i]);
+      message += ", expected a finite number, 0 or more";
+      throw std::invalid_argument(message);
+    }
+  }
+}
+
 } // namespace
 
 std::uint64_t noiseTriangleKey(std::uint32_t seed, std::uint64_t id)
@@ -322,21 +350,19 @@ std::uint64_t noiseTriangleKey(std::uint32_t seed, std::uint64_t id)
   return hashPair(seed, id);
 }
 
-NoiseSurfaceTree buildNoiseSurfaceTree(
-  const TriangleMesh& reference, Span<const std::uint64_t> ids, std::uint32_t seed)
+NoiseSurfaceTree buildNoiseSurfaceTree(const TriangleMesh& reference, Span<const std::uint64_t> ids,
+  std::uint32_t seed, Span<const double> areas)
 {
-  if (!ids.empty() && ids.size() != reference.triangles.size())
-  {
-    throw std::invalid_argument("ids: " + std::to_string(ids.size()) + " values for " +
-      std::to_string(reference.triangles.size()) + " triangles");
-  }
+  checkLength("ids", ids.size(), reference);
+  checkLength("areas", areas.size(), reference);
+  checkAreas(areas);
   NoiseSurfaceTree tree;
   tree.facets = UninitialisedArray<NoiseFacet>(reference.triangles.size());
   const UninitialisedArray<std::int32_t> order = orderNoiseTriangles(reference);
   makeNodes(tree);
-  std::vector<double> areas(tree.nodes.size());
-  const RecordParts parts = fillLeaves(tree, { reference, ids, seed, order }, areas);
-  const bool isFinite = std::isfinite(std::accumulate(areas.begin(), areas.end(), 0.0));
+  std::vector<double> nodeAreas(tree.nodes.size());
+  const RecordParts parts = fillLeaves(tree, { reference, ids, seed, areas, order }, nodeAreas);
+  const bool isFinite = std::isfinite(std::accumulate(nodeAreas.begin(), nodeAreas.end(), 0.0));
   if (!isFinite || !reference.patches.empty())
   {
     checkTriangleMesh(reference);
@@ -345,8 +371,12 @@ NoiseSurfaceTree buildNoiseSurfaceTree(
   {
     throw std::invalid_argument("mesh.points: the area of the triangles is too large for a number");
   }
-  fillInnerNodes(tree, areas);
+  fillInnerNodes(tree, nodeAreas);
   shareOut(tree, parts);
+  if (!areas.empty())
+  {
+    placeNoiseSurfaceTree(tree, reference.points);
+  }
   return tree;
 }
 

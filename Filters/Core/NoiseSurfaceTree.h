@@ -85,10 +85,11 @@ struct NoiseSurfaceTree
   }
 };
 
-// Throws std::invalid_argument as checkTriangleMesh does, and for ids of another number. Empty ids:
-// a hash of the corners' positions.
-NoiseSurfaceTree buildNoiseSurfaceTree(
-  const TriangleMesh& reference, Span<const std::uint64_t> ids, std::uint32_t seed);
+// Throws std::invalid_argument as checkTriangleMesh does, for ids and areas of another number, and
+// for areas that are not finite and 0 or more. Empty ids: a hash of the corners' positions. Empty
+// areas: those of the reference.
+NoiseSurfaceTree buildNoiseSurfaceTree(const TriangleMesh& reference, Span<const std::uint64_t> ids,
+  std::uint32_t seed, Span<const double> areas = {});
 
 // Moves the spheres to other positions. Throws std::invalid_argument, and changes nothing, where a
 // corner is not finite.

@@ -23,6 +23,7 @@
 
 class vtkOpenGLRenderWindow;
 class vtkPatternLayer;
+class vtkPatternNoiseHistory;
 class vtkPatternNoiseSurface;
 class vtkShaderProgram;
 class vtkTextureObject;
@@ -80,6 +81,8 @@ public:
   struct FieldScene
   {
     vtkPatternNoiseSurface* Surface;
+    vtkPatternNoiseHistory* History; // of it in this renderer; null: nothing is remembered
+    bool LookOn;                     // what is remembered stays
     glm::dmat4 ModelToClip;
     std::array<int, 4> Viewport;  // x, y, width, height in the framebuffer
     std::array<int, 4> Rectangle; // that is drawn

@@ -118,7 +118,10 @@ def check_noise(rows):
                 assert slide <= NOISE_SLIDE and pop <= NOISE_POP, (scene, motion, field, slide, pop)
             assert value(rows, "translate", fields[0], "Coherence", scene) > NOISE_COHERENCE
     assert value(rows, "zoom", "gabor", "BoilMedian", "plane") <= NOISE_ZOOM
-    assert value(rows, "deform", "gabor", "SlideRatio", "protein") <= NOISE_SLIDE
+    for field in ("gabor", "phasor", "spot"):
+        slide = value(rows, "deform", field, "SlideRatio", "protein")
+        print("protein deform", field, "slide", slide)
+        assert slide <= NOISE_SLIDE, (field, slide)
     for motion in ("translate", "rotate", "zoom"):  # as people ranked it: with the similarity
         slide = value(rows, motion, "gabor", "SlideRatio")
         assert slide < 1.5 * value(rows, motion, "similarity", "SlideRatio"), (motion, slide)

@@ -8,6 +8,7 @@ A deformation gives the surfaces of a scene at every frame: points move, connect
 import math
 import os
 
+import blade as blade_file
 import numpy
 import protein_tube
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -24,8 +25,19 @@ RADIUS = 0.65
 TUBE_RADIUS = 0.15  # five wavelengths of the inks across, so that there is a pattern to follow
 TUBE_SIZE = 2.0  # a part of the protein fills the picture
 SKULL_LEVEL = 2.9  # the bone, in the file's units
+BLADE_MODE = 0
+BLADE_SIZE = 2.6  # a part of the blade fills the picture
+BLADE_PLACE = (0.45, -0.4, 0.0)
+BLADE_SWAY = 0.4  # where the blade moves most, scene units
 DATA = os.environ.get("HACHURE_DATA") or os.path.join(
     os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Data")
+
+# What Examples/Data/fetch.sh brings.
+FETCHED = os.path.join(DATA, "Fetched")
+
+
+class Missing(Exception):
+    """The data of a scene are not there; the message says what to do."""
 
 
 def steps(frames):
@@ -125,6 +137,16 @@ def protein():
     return protein_model(0)
 
 
+def blade():
+    """Of a turbocharger's compressor; its vectors are a mode of vibration."""
+    path = os.path.join(FETCHED, "blade.frd")
+    if not os.path.exists(path):
+        raise Missing("%s is not there; Examples/Data/fetch.sh fetches it" % path)
+    surface = blade_file.surface(path, BLADE_MODE)
+    upright = fitted(with_normals(surface, crease=50), turn=(60, 0, 1, 0))
+    return placed(upright, move=BLADE_PLACE, scale=(BLADE_SIZE,) * 3, turn=(25, 0, 0, 1))
+
+
 def moved(surface, points):
     """The surface with other points, and normals to match."""
     result = surface.NewInstance()
@@ -153,4 +175,18 @@ def grow(surfaces, frames):
 
 
 def fold(_surfaces, frames):
-    return [[protein_model(0.008 * frame)] for frame in range(frames)]
+    return [[protein_model(0.016 * frame)] for frame in range(frames)]
+
+
+def vibrate(surfaces, frames):
+    """P + a sin(wt) D for the displacements D of a mode."""
+    result = []
+    for s in steps(frames):
+        states = []
+        for surface in surfaces:
+            sway = vtk_to_numpy(surface.GetPointData().GetVectors())
+            sway = sway * (BLADE_SWAY / numpy.linalg.norm(sway, axis=1).max())
+            points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+            states.append(moved(surface, points + math.sin(0.2 * s) * sway))
+        result.append(states)
+    return result

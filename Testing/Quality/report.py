@@ -34,7 +34,7 @@ REDUCED = (
      "field": ["gabor", "calm", "phasor", "spot"], **FLAT_NOISE},
     {"scene": ["ellipsoid"], "motion": ["translate", "rotate", "zoom"], "field": ["calm"], **FLAT_NOISE},
     {"scene": ["plane"], "motion": ["translate", "rotate", "zoom", "roll"], "field": ["gabor"], **FLAT_NOISE},
-    {"scene": ["protein"], "motion": ["deform"], "field": ["gabor"], **FLAT_NOISE},
+    {"scene": ["protein"], "motion": ["deform"], "field": ["gabor", "phasor", "spot"], **FLAT_NOISE},
 )
 # Strokes tell little more than noise: scenes that show them all the same.
 STROKE_SCENES = ("sphere", "skull")
@@ -88,11 +88,27 @@ def film(studio, scene, surfaces, motion, frames):
             "cells": studio.cells(surfaces, states, cameras)}
 
 
-def draw(studio, chosen, frames):
+def surfaces_of(scene, needed):
+    """The surfaces of a scene; None, and a message, where its data are not there and not needed."""
+    import objects
+    import scenes
+    try:
+        return scenes.SCENES[scene]()
+    except objects.Missing as problem:
+        message = "report.py: scene %s: %s" % (scene, problem)
+        if needed:
+            raise SystemExit(message) from None
+        print(message + "; left out", file=sys.stderr)
+        return None
+
+
+def draw(studio, chosen, frames, needed=()):
     """The clips of the chosen scenes, motions, fields, inks and lightings, a list for each scene."""
     import scenes
     for scene in chosen["scene"]:
-        surfaces = scenes.SCENES[scene]()
+        surfaces = surfaces_of(scene, scene in needed)
+        if surfaces is None:
+            continue
         inks = [ink for ink in chosen["ink"] if ink not in scenes.STROKES or scene in STROKE_SCENES]
         result = []
         for motion in chosen["motion"]:
@@ -179,7 +195,8 @@ def main():
     for part in REDUCED if options.reduced else ({},):
         chosen = {axis: [name for name in part.get(axis, known[axis])
                          if name in (getattr(options, axis) or known[axis])] for axis in AXES}
-        for of_scene in draw(studio, chosen, FRAMES_REDUCED if options.reduced else FRAMES):
+        for of_scene in draw(studio, chosen, FRAMES_REDUCED if options.reduced else FRAMES,
+                             options.scene or ()):
             clips += of_scene
             if of_scene:
                 write(clips, options.out)

@@ -55,6 +55,7 @@ SCENES = {
     "skull": lambda: [objects.skull()],
     "disk_out_ref": lambda: [objects.disk()],
     "protein": lambda: [objects.protein()],
+    "blade": lambda: [objects.blade()],
 }
 
 
@@ -133,7 +134,8 @@ FAST = {"approach"}
 
 # Of the objects: scenes that have them, and their surfaces at every frame.
 DEFORMATIONS = {
-    "deform": {"disk_out_ref": objects.bend, "protein": objects.fold},
+    "deform": {"disk_out_ref": objects.bend, "protein": objects.fold,
+               "blade": objects.vibrate},
     "scale": {"disk_out_ref": objects.grow},
 }
 

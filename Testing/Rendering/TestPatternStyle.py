@@ -91,6 +91,7 @@ def test_every_parameter_of_noise_survives():
     layer.SetSmoothness(0.25)
     layer.SetOverlap(48.5)
     layer.SetFade(2.5)
+    layer.SetLife(3)
     layer.SetDistribution(layer.CLASSIC)
     layer.ObjectTestOff()
     layer.TriangleTestOn()

@@ -216,6 +216,8 @@ void vtkNoiseLayer::DescribeField(hachure::StyleArchive& archive)
     { this->GetOverlapMinValue(), this->GetOverlapMaxValue() });
   archive.number("fade", this, &Self::GetFade, &Self::SetFade,
     { this->GetFadeMinValue(), this->GetFadeMaxValue() });
+  archive.integer("life", this, &Self::GetLife, &Self::SetLife,
+    { double(this->GetLifeMinValue()), double(this->GetLifeMaxValue()) });
   archive.choice(
     "distribution", this, &Self::GetDistribution, &Self::SetDistribution, { "even", "classic" });
   archive.boolean("objectTest", this, &Self::GetObjectTest, &Self::SetObjectTest);
@@ -248,6 +250,7 @@ void vtkNoiseLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ThresholdImageFileName: " << this->ThresholdImageFileName << "\n";
   os << indent << "Overlap: " << this->Overlap << "\n";
   os << indent << "Fade: " << this->Fade << "\n";
+  os << indent << "Life: " << this->Life << "\n";
   os << indent << "Distribution: " << this->Distribution << "\n";
   os << indent << "ObjectTest: " << this->ObjectTest << "\n";
   os << indent << "TriangleTest: " << this->TriangleTest << "\n";

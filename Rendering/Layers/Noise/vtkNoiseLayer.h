@@ -12,7 +12,16 @@
  *
  * The sum is divided by its expected deviation, and mapped through its distribution to [0,1], so
  * that ink equals the tone, as for every other layer. The noise of a frame depends on surface,
- * camera and parameters alone, not on the frames before.
+ * camera and parameters alone, not on the frames before, as long as the surface keeps its cells.
+ *
+ * Where it has other cells than in the last frame (an isosurface whose value changes, a time
+ * series) its kernels go to the closest points of the new surface and keep their look. One in Life
+ * fades out, over Life / 2 such changes, and points of the new surface fade in, so that the noise
+ * does not pop. Cells with global ids that both surfaces have, and equal triangles, keep their
+ * points. Parts of a surface that were not near the last one begin with points of their own, and so
+ * does all of it in the first frame, where time goes backwards, where the mapper's input comes from
+ * elsewhere, after vtkPatternMapper::Reanchor(), and in the mode ANCHORED of vtkPatternStyle. Every
+ * renderer remembers for itself; between changes nothing fades.
  *
  * On translucent surfaces every fragment sums up kernels, those on its own plane with DepthTest, so
  * that front and back have their own noise. ObjectTest and TriangleTest trim them there as on
@@ -196,6 +205,14 @@ public:
   ///@}
 
   ///@{
+  /** Changes of a surface's cells that a kernel lives for. Short lives tell more of the surface
+   * that is there, long ones boil less. Range 0 (every surface has noise of its own at once) to
+   * 1000, default 16. No effect on CLASSIC. */
+  vtkSetClampMacro(Life, int, 0, 1000);
+  vtkGetMacro(Life, int);
+  ///@}
+
+  ///@{
   /** Where the kernels' points come from, one of DistributionType; default EVEN. */
   vtkSetClampMacro(Distribution, int, EVEN, CLASSIC);
   vtkGetMacro(Distribution, int);
@@ -276,6 +293,7 @@ private:
   std::string ThresholdImageFileName;
   double Overlap = 32.0;
   double Fade = 1.0;
+  int Life = 16;
   int Distribution = EVEN;
   bool ObjectTest = true;
   bool TriangleTest = false;

@@ -15,6 +15,7 @@
 #include "vtkNoiseLayer.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternMapper.h"
+#include "vtkPatternNoiseHistory.h"
 #include "vtkPatternNoiseSurface.h"
 #include "vtkPatternShaderText.h"
 #include "vtkShaderProgram.h"
@@ -210,9 +211,20 @@ std::vector<hachure::NoiseKernel> vtkNoiseLayerPainter::Kernels(
       surface.Mesh(), surface.TriangleIds(), surface.Objects(), seed, view, options);
   }
   std::vector<hachure::NoiseKernel> kernels;
+  const auto make = [&](const hachure::NoiseOcclusion* hidden)
+  {
+    if (scene.History)
+    {
+      scene.History->Kernels(this->Layer, surface, view, options, scene.LookOn, hidden, kernels);
+    }
+    else
+    {
+      surface.Points(seed)->kernels(view, options, kernels, nullptr, hidden);
+    }
+  };
   if (!isDepthAtHand)
   {
-    surface.Points(seed).kernels(view, options, kernels);
+    make(nullptr);
     return kernels;
   }
   hachure::NoiseSurroundings around;
@@ -223,7 +235,7 @@ std::vector<hachure::NoiseKernel> vtkNoiseLayerPainter::Kernels(
   around.partialVisibility = this->Layer->GetPartialVisibility();
   const double largest = options.control ? 1.0 / options.bandwidthRange.x : 1.0;
   const hachure::NoiseOcclusion hidden(around, static_cast<float>(largest * options.radius));
-  surface.Points(seed).kernels(view, options, kernels, nullptr, &hidden);
+  make(&hidden);
   return kernels;
 }
 
@@ -291,8 +303,8 @@ bool vtkNoiseLayerPainter::ForwardState::operator==(const ForwardState& other) c
 {
   return this->ModelToClip == other.ModelToClip && this->Viewport == other.Viewport &&
     this->Rectangle == other.Rectangle && this->Period == other.Period &&
-    this->SurfaceVersion == other.SurfaceVersion && this->LayerTime == other.LayerTime &&
-    this->Frame == other.Frame;
+    this->SurfaceVersion == other.SurfaceVersion && this->History == other.History &&
+    this->LayerTime == other.LayerTime && this->Frame == other.Frame;
 }
 
 std::vector<hachure::NoiseKernel> vtkNoiseLayerPainter::ForwardKernelsOf(
@@ -318,7 +330,7 @@ std::string vtkNoiseLayerPainter::DrawForwardField(const FieldScene& scene, int 
   this->ForwardObjects = this->Layer->GetObjectTest() && scene.Surface->HasSeveralBlocks();
   const bool tones = channel >= 0 && this->Layer->GetControl() == vtkNoiseLayer::TONE;
   const ForwardState state = { scene.ModelToClip, scene.Viewport, scene.Rectangle, this->Period,
-    scene.Surface->GetVersion(), this->Layer->GetMTime(), tones ? scene.Frame : 0 };
+    scene.Surface->GetVersion(), scene.History, this->Layer->GetMTime(), tones ? scene.Frame : 0 };
   // Depth peeling draws the surface many times.
   if (state == this->ForwardDrawn && this->ForwardKernels.IsUsable())
   {

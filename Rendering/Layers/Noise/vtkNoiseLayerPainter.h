@@ -54,8 +54,8 @@ private:
   std::vector<hachure::NoiseKernel> ForwardKernelsOf(
     const FieldScene& scene, const vtkNoiseControl& control) const;
   // isDepthAtHand: kernels that the depth hides are left out.
-  std::vector<hachure::NoiseKernel> Kernels(const FieldScene& scene,
-    const hachure::NoiseKernelOptions& options, bool isDepthAtHand) const;
+  std::vector<hachure::NoiseKernel> Kernels(
+    const FieldScene& scene, const hachure::NoiseKernelOptions& options, bool isDepthAtHand) const;
   std::string InkText() const;
   float DepthTolerance(const FieldScene& scene) const;
   bool DrawWith(
@@ -84,6 +84,7 @@ private:
     std::array<int, 4> Rectangle;
     double Period;
     unsigned long SurfaceVersion;
+    const vtkPatternNoiseHistory* History;
     vtkMTimeType LayerTime;
     unsigned long Frame; // where they follow the tones of a frame
     bool operator==(const ForwardState& other) const;

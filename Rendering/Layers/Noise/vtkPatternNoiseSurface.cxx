@@ -3,6 +3,7 @@
 #include "vtkPatternNoiseSurface.h"
 
 #include "Random.h"
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -12,8 +13,11 @@
 #include "vtkPatternBlocks.h"
 #include "vtkPolyData.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 namespace
 {
@@ -52,9 +56,40 @@ bool IsCutAlike(vtkPolyData* block, vtkIdType cell, hachure::Span<const glm::ive
   }
   return alike;
 }
+
+// Reference areas of the triangles of `state`: those of the same ids in `before`, where there are,
+// else what they are now.
+std::vector<double> AreasOf(
+  const vtkPatternNoiseSurface::State& state, const vtkPatternNoiseSurface::State* before)
+{
+  std::unordered_map<std::uint64_t, double> known;
+  for (std::size_t i = 0; before && i < before->Areas.size(); ++i)
+  {
+    known.emplace(before->Ids[i], before->Areas[i]);
+  }
+  std::vector<double> areas;
+  areas.reserve(state.Ids.size());
+  for (std::size_t i = 0; i < state.Ids.size(); ++i)
+  {
+    const auto found = known.find(state.Ids[i]);
+    const auto triangle = static_cast<std::int64_t>(i);
+    constexpr double half = 0.5; // of the parallelogram
+    areas.push_back(found != known.end()
+        ? found->second
+        : half * glm::length(hachure::triangleAreaVector(state.Surface.mesh(), triangle)));
+  }
+  return areas;
+}
 } // namespace
 
-void vtkPatternNoiseSurface::Update(vtkDataObject* input)
+bool vtkPatternNoiseSurface::State::Follows(const State& before) const
+{
+  const double data = this->DataTime - before.DataTime;
+  const double passed = std::isfinite(data) ? data : this->AnimationTime - before.AnimationTime;
+  return this->Lineage == before.Lineage && !(passed < 0.0);
+}
+
+void vtkPatternNoiseSurface::Update(vtkDataObject* input, const Source& source)
 {
   const std::uint64_t time = TimeOf(input);
   if (this->Input != input || this->InputTime != time)
@@ -69,12 +104,12 @@ void vtkPatternNoiseSurface::Update(vtkDataObject* input)
   {
     ++this->CellVersion;
     this->FacetOfTriangle.clear();
-    this->Seeds.clear();
-    this->Arrays.clear();
-    this->Surface = {}; // also of an input that is refused
-    this->Surface = hachure::extractSurfaceTriangles(input);
-    this->Identify(input);
+    this->Replace(input, source);
   }
+  this->Algorithm = source.Algorithm;
+  this->Port = source.Port;
+  this->Current->DataTime = source.DataTime;
+  this->Current->AnimationTime = source.AnimationTime;
   if (change != vtkPatternGeometry::NOTHING)
   {
     ++this->Version;
@@ -82,38 +117,53 @@ void vtkPatternNoiseSurface::Update(vtkDataObject* input)
   }
 }
 
+void vtkPatternNoiseSurface::Replace(vtkDataObject* input, const Source& source)
+{
+  const bool related = this->Algorithm == source.Algorithm && this->Port == source.Port;
+  const std::shared_ptr<State> before = this->Current;
+  this->Arrays.clear();
+  this->Current = std::make_shared<State>();
+  this->Current->Lineage = before->Lineage + (related ? 0 : 1);
+  this->Current->Surface = hachure::extractSurfaceTriangles(input);
+  this->Identify(input);
+  if (!this->Current->Ids.empty())
+  {
+    this->Current->Areas = AreasOf(*this->Current, related ? before.get() : nullptr);
+  }
+}
+
 // A triangle is the one of this number that its cell is cut into.
 void vtkPatternNoiseSurface::Identify(vtkDataObject* input)
 {
-  this->Ids.clear();
+  this->Current->Ids.clear();
   const std::vector<vtkPattern::Block> blocks = vtkPattern::Blocks(input);
   const bool known = std::all_of(blocks.begin(), blocks.end(),
     [](const vtkPattern::Block& block)
     { return block.Data->GetNumberOfCells() == 0 || block.Data->GetCellData()->GetGlobalIds(); });
-  if (!known || blocks.size() != this->Surface.blocks.size())
+  if (!known || blocks.size() != this->Current->Surface.blocks.size())
   {
     return;
   }
-  const std::size_t count = this->Surface.triangles.size();
-  this->Ids.reserve(count);
+  const std::size_t count = this->Current->Surface.triangles.size();
+  this->Current->Ids.reserve(count);
   std::uint64_t part = 0;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const auto block = static_cast<std::size_t>(this->Surface.blockIndices[i]);
-    const vtkIdType cell = this->Surface.cells[i];
-    const bool another = i == 0 || cell != this->Surface.cells[i - 1] ||
-      this->Surface.blockIndices[i] != this->Surface.blockIndices[i - 1];
+    const auto block = static_cast<std::size_t>(this->Current->Surface.blockIndices[i]);
+    const vtkIdType cell = this->Current->Surface.cells[i];
+    const bool another = i == 0 || cell != this->Current->Surface.cells[i - 1] ||
+      this->Current->Surface.blockIndices[i] != this->Current->Surface.blockIndices[i - 1];
     part = another ? 0 : part + 1;
     vtkDataArray* ids = blocks[block].Data->GetCellData()->GetGlobalIds();
-    this->Ids.push_back(
+    this->Current->Ids.push_back(
       hachure::hashPair(static_cast<std::uint64_t>(ids->GetComponent(cell, 0)), part));
   }
 }
 
 void vtkPatternNoiseSurface::Move()
 {
-  this->Positions.clear();
-  this->Positions.reserve(this->Surface.points.size());
+  this->Current->Positions.clear();
+  this->Current->Positions.reserve(this->Current->Surface.points.size());
   for (const vtkPatternGeometry::Block& block : this->Geometry.GetBlocks())
   {
     for (vtkIdType i = 0; i < block.Data->GetNumberOfPoints(); ++i)
@@ -121,40 +171,40 @@ void vtkPatternNoiseSurface::Move()
       glm::dvec3 point;
       block.Data->GetPoint(i, &point[0]);
       const bool finite = std::isfinite(point.x + point.y + point.z);
-      this->Positions.push_back(finite ? point : glm::dvec3(0.0)); // in no triangle
+      this->Current->Positions.push_back(finite ? point : glm::dvec3(0.0)); // in no triangle
     }
   }
-  for (auto& seed : this->Seeds)
+  for (auto& seed : this->Current->Seeds)
   {
-    seed.second.setPositions(this->Positions);
+    seed.second.setPositions(this->Current->Positions);
   }
 }
 
 const std::vector<std::int32_t>& vtkPatternNoiseSurface::Facets()
 {
-  const std::size_t count = this->Surface.triangles.size();
+  const std::size_t count = this->Current->Surface.triangles.size();
   if (this->FacetOfTriangle.size() == count)
   {
     return this->FacetOfTriangle;
   }
   const std::vector<vtkPattern::Block> blocks = vtkPattern::Blocks(this->Input);
-  const hachure::Span<const glm::ivec3> triangles(this->Surface.triangles);
+  const hachure::Span<const glm::ivec3> triangles(this->Current->Surface.triangles);
   vtkNew<vtkIdList> corners;
   this->FacetOfTriangle.clear();
   this->FacetOfTriangle.reserve(count);
   std::size_t end = 0;
   for (std::size_t begin = 0; begin < count; begin = end)
   {
-    const vtkIdType cell = this->Surface.cells[begin];
-    const std::int32_t block = this->Surface.blockIndices[begin];
-    while (
-      end < count && this->Surface.cells[end] == cell && this->Surface.blockIndices[end] == block)
+    const vtkIdType cell = this->Current->Surface.cells[begin];
+    const std::int32_t block = this->Current->Surface.blockIndices[begin];
+    while (end < count && this->Current->Surface.cells[end] == cell &&
+      this->Current->Surface.blockIndices[end] == block)
     {
       ++end;
     }
     const auto index = static_cast<std::size_t>(block);
     const bool alike = IsCutAlike(blocks[index].Data, cell, triangles.subspan(begin, end - begin),
-      this->Surface.blocks[index].firstPoint, corners);
+      this->Current->Surface.blocks[index].firstPoint, corners);
     for (std::size_t i = begin; i < end; ++i)
     {
       this->FacetOfTriangle.push_back(static_cast<std::int32_t>(alike ? i : begin));
@@ -173,12 +223,14 @@ void vtkPatternNoiseSurface::AppendPrimitiveIds(
     blocks.begin());
   const auto start = [this](std::size_t index)
   {
-    const bool known = index < this->Surface.blocks.size();
-    return known ? static_cast<std::size_t>(this->Surface.blocks[index].firstTriangle)
-                 : this->Surface.triangles.size();
+    const bool known = index < this->Current->Surface.blocks.size();
+    return known ? static_cast<std::size_t>(this->Current->Surface.blocks[index].firstTriangle)
+                 : this->Current->Surface.triangles.size();
   };
-  const auto begin = this->Surface.cells.begin() + static_cast<std::ptrdiff_t>(start(object));
-  const auto end = this->Surface.cells.begin() + static_cast<std::ptrdiff_t>(start(object + 1));
+  const auto begin =
+    this->Current->Surface.cells.begin() + static_cast<std::ptrdiff_t>(start(object));
+  const auto end =
+    this->Current->Surface.cells.begin() + static_cast<std::ptrdiff_t>(start(object + 1));
   const std::vector<std::int32_t>& facets = this->Facets();
   ids.reserve(ids.size() + 2 * cells.size());
   auto triangle = begin;
@@ -187,7 +239,7 @@ void vtkPatternNoiseSurface::AppendPrimitiveIds(
     const bool another = i == 0 || cells[i] != cells[i - 1];
     triangle = another ? std::lower_bound(begin, end, cells[i]) : triangle;
     const bool found = triangle != end && *triangle == cells[i];
-    const auto index = static_cast<std::size_t>(triangle - this->Surface.cells.begin());
+    const auto index = static_cast<std::size_t>(triangle - this->Current->Surface.cells.begin());
     ids.push_back(object < blocks.size() ? static_cast<float>(object) : -1.0f);
     ids.push_back(found ? static_cast<float>(facets[index]) : -1.0f);
     const bool more = found && triangle + 1 != end && *(triangle + 1) == cells[i];
@@ -195,22 +247,23 @@ void vtkPatternNoiseSurface::AppendPrimitiveIds(
   }
 }
 
-hachure::NoiseSurface& vtkPatternNoiseSurface::Points(std::uint32_t seed)
+std::shared_ptr<hachure::NoiseSurface> vtkPatternNoiseSurface::Points(std::uint32_t seed)
 {
-  auto found = this->Seeds.find(seed);
-  if (found == this->Seeds.end())
+  State& state = *this->Current;
+  auto found = state.Seeds.find(seed);
+  if (found == state.Seeds.end())
   {
     // Not the first positions where the surface has moved since: those of the reference.
-    std::vector<glm::dvec3>& first = this->Surface.points;
+    std::vector<glm::dvec3>& first = state.Surface.points;
     std::replace_if(
       first.begin(), first.end(),
       [](const glm::dvec3& p) { return !std::isfinite(p.x + p.y + p.z); }, glm::dvec3(0.0));
-    hachure::NoiseSurface points(
-      { first, this->Surface.triangles, {} }, this->Ids, this->Surface.blockIndices, seed);
-    points.setPositions(this->Positions);
-    found = this->Seeds.emplace(seed, std::move(points)).first;
+    hachure::NoiseSurface points({ first, state.Surface.triangles, {} }, state.Ids,
+      state.Surface.blockIndices, seed, state.Areas);
+    points.setPositions(state.Positions);
+    found = state.Seeds.emplace(seed, std::move(points)).first;
   }
-  return found->second;
+  return { this->Current, &found->second };
 }
 
 const vtkPatternSurfaceArray& vtkPatternNoiseSurface::Array(const std::string& name, int components)
@@ -219,7 +272,7 @@ const vtkPatternSurfaceArray& vtkPatternNoiseSurface::Array(const std::string& n
   auto found = this->Arrays.find(key);
   if (found == this->Arrays.end())
   {
-    const vtkPatternSurfaceArray array(this->Input, this->Surface, name, components);
+    const vtkPatternSurfaceArray array(this->Input, this->Current->Surface, name, components);
     found = this->Arrays.emplace(key, array).first;
   }
   return found->second;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * The points that a mapper's noises are attached to: they stay on the surface while it deforms.
+ * Where its cells change, vtkPatternNoiseHistory carries them to the new surface.
  */
 #ifndef vtkPatternNoiseSurface_h
 #define vtkPatternNoiseSurface_h
@@ -10,30 +11,63 @@
 #include "SurfaceTriangles.h"
 #include "vtkPatternGeometry.h"
 #include "vtkPatternSurfaceArray.h"
+#include "vtkWeakPointer.h"
 
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkDataObject;
 class vtkPolyData;
 
 class vtkPatternNoiseSurface
 {
 public:
+  /// What else a surface is known by.
+  struct Source
+  {
+    vtkAlgorithm* Algorithm; // that makes the input
+    int Port;
+    double DataTime; // of the input, not a number where it has none
+    double AnimationTime;
+  };
+
   /// Brings the surface up to date with polydata or a composite of polydata. Other cells are
   /// another surface, other coordinates only move it.
-  void Update(vtkDataObject* input);
+  void Update(vtkDataObject* input, const Source& source);
 
-  /// The points of this seed, where the surface is now.
-  hachure::NoiseSurface& Points(std::uint32_t seed);
+  /// A surface as long as it has the same cells. Who holds one keeps it as it was last.
+  struct State
+  {
+    hachure::SurfaceTriangles Surface; // as it was first
+    std::vector<glm::dvec3> Positions; // now
+    std::vector<std::uint64_t> Ids;    // from global ids of cells; empty where there are none
+    std::vector<double> Areas; // with ids: those of the first surface that had such a triangle
+    std::map<std::uint32_t, hachure::NoiseSurface> Seeds;
+    unsigned long Lineage = 0; // the same for surfaces that come from one another
+    double DataTime = std::numeric_limits<double>::quiet_NaN();
+    double AnimationTime = 0.0;
 
-  hachure::TriangleMesh Mesh() const { return { this->Positions, this->Surface.triangles, {} }; }
-  const std::vector<std::uint64_t>& TriangleIds() const { return this->Ids; }
+    /// Whether it is a later surface of the same origin.
+    bool Follows(const State& before) const;
+  };
+  const std::shared_ptr<State>& GetState() const { return this->Current; }
+
+  /// The points of this seed, where the surface is now. Owns the state.
+  std::shared_ptr<hachure::NoiseSurface> Points(std::uint32_t seed);
+
+  hachure::TriangleMesh Mesh() const
+  {
+    return { this->Current->Positions, this->Current->Surface.triangles, {} };
+  }
+  const std::vector<std::uint64_t>& TriangleIds() const { return this->Current->Ids; }
   /// Block of each triangle.
-  const std::vector<std::int32_t>& Objects() const { return this->Surface.blockIndices; }
+  const std::vector<std::int32_t>& Objects() const { return this->Current->Surface.blockIndices; }
   /// For every triangle the one that stands for it where VTK draws the surface: itself, or the
   /// first one of its cell where VTK may cut the cell another way, which are polygons of five
   /// corners or more and those that are bent in.
@@ -48,18 +82,18 @@ public:
   unsigned long GetVersion() const { return this->Version; }
   /// Another one whenever its cells are others.
   unsigned long GetCellVersion() const { return this->CellVersion; }
-  bool HasSeveralBlocks() const { return this->Surface.blocks.size() > 1; }
+  bool HasSeveralBlocks() const { return this->Current->Surface.blocks.size() > 1; }
 
 private:
+  void Replace(vtkDataObject* input, const Source& source);
   void Identify(vtkDataObject* input);
   void Move();
 
   vtkPatternGeometry Geometry;
-  hachure::SurfaceTriangles Surface; // as it was first
-  std::vector<glm::dvec3> Positions; // now
-  std::vector<std::uint64_t> Ids;    // from global ids of cells; empty where there are none
-  std::map<std::uint32_t, hachure::NoiseSurface> Seeds;
-  vtkDataObject* Input = nullptr; // of the last update
+  std::shared_ptr<State> Current = std::make_shared<State>();
+  vtkWeakPointer<vtkAlgorithm> Algorithm; // of the last update
+  int Port = 0;
+  vtkDataObject* Input = nullptr;
   std::uint64_t InputTime = 0;
   unsigned long Version = 0;
   unsigned long CellVersion = 0;

@@ -523,7 +523,13 @@ TEST(NoiseAttachment, AreasOfTrianglesThatWereKnown)
   }
   for (const NoiseKernel& kernel : expected)
   {
-    EXPECT_TRUE(sameKernel(found[kernel.id], kernel));
+    // But for rounding, which depends on the triangles near by.
+    const NoiseKernel& other = found[kernel.id];
+    EXPECT_NEAR(glm::distance(other.center, kernel.center), 0.0f, 1e-3f);
+    EXPECT_NEAR(other.weight, kernel.weight, 1e-4f);
+    EXPECT_NEAR(other.orientation, kernel.orientation, 1e-4f);
+    EXPECT_EQ(other.phase, kernel.phase);
+    EXPECT_EQ(other.triangle, kernel.triangle);
   }
 }
 

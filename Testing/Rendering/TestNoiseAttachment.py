@@ -194,7 +194,8 @@ def test_cells_with_ids_keep_their_points():
         data.ShallowCopy(plate(cells, stretch=1.1))
         pictures.append(scene.draw(window))
     assert (pictures[0] != pictures[1]).any()
-    assert (pictures[0][:, :128] == pictures[1][:, :128]).all()
+    left = [picture[:, :128].astype(int) for picture in pictures]
+    assert abs(left[0] - left[1]).max() <= 2, "but for rounding"
     without = fresh(plate(range(64), stretch=1.1), noise_style(Spread=90), distance=5.0)
     assert (pictures[0][:, :128] != without[:, :128]).any(), "areas are those of the first frame"
 

@@ -427,11 +427,26 @@ bool vtkPatternMapper::GetUsesPrimitiveIds() const
   return this->Internal->UsesPrimitiveIds;
 }
 
+void vtkPatternMapper::SetInputOrigin(vtkAlgorithm* algorithm)
+{
+  if (algorithm != this->InputOrigin)
+  {
+    this->InputOrigin = algorithm;
+    this->Modified();
+  }
+}
+
+vtkAlgorithm* vtkPatternMapper::GetInputOrigin()
+{
+  return this->InputOrigin;
+}
+
 void vtkPatternMapper::UpdateNoiseSurface()
 {
   vtkDataObject* input = this->GetInputDataObject(0, 0);
+  vtkAlgorithm* origin = this->InputOrigin;
   this->Internal->NoiseSurface.Update(input,
-    { this->GetInputAlgorithm(), this->GetInputConnection(0, 0)->GetIndex(),
+    { origin ? origin : this->GetInputAlgorithm(), this->GetInputConnection(0, 0)->GetIndex(),
       vtkPatternViewContext::DataTimeOf(input), this->AnimationTime });
 }
 
@@ -805,6 +820,7 @@ void vtkPatternMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Style: " << this->Style.Get() << "\n";
   os << indent << "TrackedMapper: " << this->TrackedMapper.Get() << "\n";
   os << indent << "CameraPath: " << this->CameraPath.Get() << "\n";
+  os << indent << "InputOrigin: " << this->GetInputOrigin() << "\n";
   os << indent << "AnimationTime: " << this->AnimationTime << "\n";
   os << indent << "PatchArrayName: " << this->PatchArrayName << "\n";
   os << indent << "VelocityArrayName: " << this->VelocityArrayName << "\n";

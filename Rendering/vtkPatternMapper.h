@@ -94,6 +94,17 @@ public:
 
   ///@{
   /**
+   * The algorithm by which the input is known: a surface of the same origin as that of the last
+   * frame is a later state of it, and where it has other cells, noise stays and fades (see
+   * vtkNoiseLayer). Null, the default: the algorithm that the input is connected to. For pipelines
+   * that hand over their data by another one every time, as ParaView's do.
+   */
+  virtual void SetInputOrigin(vtkAlgorithm* algorithm);
+  virtual vtkAlgorithm* GetInputOrigin();
+  ///@}
+
+  ///@{
+  /**
    * The recorded motion of the camera, for the tracking mode ANCHORED: the pattern at
    * AnimationTime is tracked along the path from the last key time at or before it, in steps of
    * ReplayStep, without visibility. Without a path (the default) the mode has a closed form: origin
@@ -269,6 +280,7 @@ private:
 
   vtkSmartPointer<vtkPatternStyle> Style;
   vtkWeakPointer<vtkPatternMapper> TrackedMapper;
+  vtkWeakPointer<vtkAlgorithm> InputOrigin;
   vtkSmartPointer<vtkCameraInterpolator> CameraPath;
   double AnimationTime = 0.0;
   double ReplayStep = 1.0 / 24.0;

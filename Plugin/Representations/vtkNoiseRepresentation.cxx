@@ -109,6 +109,10 @@ void vtkNoiseRepresentation::AdjustNumbers(vtkNoiseLayer* layer)
   {
     layer->SetFade(this->NoiseFade);
   }
+  if (this->NoiseLife >= 0)
+  {
+    layer->SetLife(this->NoiseLife);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -172,6 +176,7 @@ void vtkNoiseRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NoiseSmoothness: " << this->NoiseSmoothness << "\n";
   os << indent << "NoiseOverlap: " << this->NoiseOverlap << "\n";
   os << indent << "NoiseFade: " << this->NoiseFade << "\n";
+  os << indent << "NoiseLife: " << this->NoiseLife << "\n";
   os << indent << "NoiseDirectionArray: " << this->NoiseDirectionArray << "\n";
   os << indent << "NoiseControl: " << this->NoiseControl << "\n";
   os << indent << "NoiseControlArrayName: " << this->NoiseControlArrayName << "\n";

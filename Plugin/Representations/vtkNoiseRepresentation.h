@@ -88,6 +88,13 @@ public:
   ///@}
 
   ///@{
+  /** Changes of a surface's cells that a mark lives for, -1 (default) to 1000. -1: as in the style;
+   * 0: every surface has marks of its own at once. */
+  void SetNoiseLife(int changes) { this->Change(this->NoiseLife, std::clamp(changes, -1, 1000)); }
+  vtkGetMacro(NoiseLife, int);
+  ///@}
+
+  ///@{
   /** Point or cell array of the strokes' direction, see vtkNoiseLayer::SetDirectionArrayName();
    * "None", the default, leaves it to the style. */
   void SetNoiseDirectionArray(const char* name);
@@ -187,6 +194,7 @@ private:
   double NoiseSmoothness = 0.0;
   double NoiseOverlap = 0.0;
   double NoiseFade = 0.0;
+  int NoiseLife = -1;
 
   std::string NoiseDirectionArray = "None";
   int NoiseControl = AS_IN_STYLE;

@@ -45,6 +45,8 @@ vtkPatternRepresentation::vtkPatternRepresentation()
   auto* mapper = vtkPatternMapper::New();
   auto* mapperLOD = vtkPatternMapper::New();
   mapperLOD->SetTrackedMapper(mapper);
+  // The view gives the mapper another producer for every piece of data.
+  mapper->SetInputOrigin(this->GeometryFilter);
   // The base class set these on the mapper that was replaced; selections need them.
   mapper->SetProcessIdArrayName("vtkProcessId");
   mapper->SetCompositeIdArrayName("vtkCompositeIndex");

@@ -70,7 +70,7 @@ direction, oneness = strokes(phasor)
 assert abs(direction - 45) < 5 and oneness > 0.5, (direction, oneness)
 
 # Neutral values, and what no choice asks for, change nothing.
-neutral = {"Scale": 1, "Spread": 0, "Regularity": 1, "Smoothness": 0, "Overlap": 0, "Fade": 0, "Control": "None"}
+neutral = {"Scale": 1, "Spread": 0, "Regularity": 1, "Smoothness": 0, "Overlap": 0, "Fade": 0, "Life": -1, "Control": "None"}
 neutral.update(SizeFactors=[0.25, 4], RegularityFactors=[4, 0.25], InkColor=[1, 0, 0], Distribution="Even")
 neutral.update(ObjectTest="On", TriangleTest="Off", DepthTest="On", PartialVisibility="On", Kind="Phasor")
 neutral.update(DirectionArray="None")

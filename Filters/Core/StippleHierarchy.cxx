@@ -3,6 +3,7 @@
 #include "StippleHierarchy.h"
 
 #include "Parallel.h"
+#include "StippleClassic.h"
 #include "StippleProgressive.h"
 #include "StippleSurface.h"
 
@@ -94,9 +95,13 @@ StippleHierarchy stippleSurface(const TriangleMesh& mesh, const StippleOptions& 
   checkTriangleMesh(mesh);
   const StippleSurface surface = makeStippleSurface(mesh);
   StippleHierarchy result;
+  if (options.order == StippleOrder::Classic && options.count > 0 && !surface.triangles.empty())
+  {
+    result = classicStipples(surface, options);
+  }
   result.size = surface.frame.size;
   result.area = surface.area() * surface.frame.size * surface.frame.size;
-  if (options.count == 0 || surface.triangles.empty())
+  if (options.order == StippleOrder::Classic || options.count == 0 || surface.triangles.empty())
   {
     return result;
   }

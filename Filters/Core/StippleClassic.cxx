@@ -168,11 +168,7 @@ private:
     for (std::size_t rank = 0; rank < count; ++rank)
     {
       std::vector<std::int32_t> relevant;
-      if (rank < top)
-      {
-        relevant = this->lowerNeighbours(order[rank], collapses.triangles);
-      }
-      else
+      if (rank >= top) // else nothing is relevant for it
       {
         const std::size_t step = order.size() - 1 - rank; // at which it was gone
         relevant.assign(collapses.neighbours.begin() + collapses.first[step],
@@ -212,12 +208,6 @@ private:
       order.push_back(vertex);
     }
     return order;
-  }
-
-  // What no collapse reached has no relevant neighbours.
-  std::vector<std::int32_t> lowerNeighbours(std::int32_t, const std::vector<glm::ivec3>&) const
-  {
-    return {};
   }
 
   // The point of the next rank.

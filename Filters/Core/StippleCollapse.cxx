@@ -129,13 +129,13 @@ private:
     {
       std::swap(gone, kept);
     }
-    if (!this->keepsTopology(edge))
+    if (!this->keepsTopology())
     {
       return;
     }
     for (int attempt = 0; attempt < 2; ++attempt)
     {
-      if (this->mayGo(gone) && (!keepsSides || this->keepsSides(gone, kept)))
+      if (this->mayGo(gone, keepsSides) && (!keepsSides || this->keepsSides(gone, kept)))
       {
         this->collapse(gone, kept);
         return;
@@ -146,7 +146,7 @@ private:
 
   // The link condition: only the triangles at the edge join its ends' neighbours; and something is
   // left.
-  bool keepsTopology(const ShortEdge& edge) const
+  bool keepsTopology() const
   {
     std::vector<std::int32_t> common;
     std::set_intersection(this->ringA.begin(), this->ringA.end(), this->ringB.begin(),
@@ -155,36 +155,42 @@ private:
     {
       return false;
     }
+    std::vector<std::int32_t> third;
     for (const std::int32_t other : common)
     {
-      // Else the two triangles that are no more would leave two that are one on the other.
-      std::vector<std::int32_t> third;
+      // Else what is left of the triangles there would lie one on the other.
       this->particles.neighbours(other, third);
       if (third.size() <= (this->shared.size() == 2 ? 3u : 2u))
       {
         return false;
       }
     }
-    (void)edge;
     return true;
   }
 
-  // Inside the surface, or on a border of which the edge is a part.
-  bool mayGo(std::int32_t vertex) const
+  // Inside the surface, or on a border of which the edge is a part, and not a corner of it.
+  bool mayGo(std::int32_t vertex, bool keepsCorners) const
   {
     std::vector<std::int32_t> around, at;
     this->particles.neighbours(vertex, around);
-    std::size_t borders = 0;
+    std::vector<glm::dvec3> borders;
     for (const std::int32_t other : around)
     {
       this->particles.trianglesAt(vertex, other, at);
-      borders += at.size() == 1 ? 1 : 0;
       if (at.size() > 2)
       {
         return false;
       }
+      if (at.size() == 1)
+      {
+        borders.push_back(
+          glm::normalize(this->particles.place(other) - this->particles.place(vertex)));
+      }
     }
-    return borders == 0 || (borders == 2 && this->shared.size() == 1);
+    constexpr double straightCosine = 0.9; // less than 26 degrees of a turn
+    return borders.empty() ||
+      (borders.size() == 2 && this->shared.size() == 1 &&
+        (!keepsCorners || glm::dot(borders[0], borders[1]) < -straightCosine));
   }
 
   bool keepsSides(std::int32_t gone, std::int32_t kept) const

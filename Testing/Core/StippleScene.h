@@ -6,6 +6,7 @@
 #include "StippleHierarchy.h"
 #include "TestSurfaces.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ inline Surface unitPlane(int grid)
   return plane;
 }
 
-// Six faces of n x n quads, blown up; with points of its own for every face.
+// Six faces of n x n quads, blown up; every face has points of its own, at the places of others.
 inline Surface unitSphere(int n)
 {
   Surface sphere;
@@ -39,7 +40,7 @@ inline Surface unitSphere(int n)
   }
   for (glm::dvec3& point : sphere.points)
   {
-    point = glm::normalize(point);
+    point = glm::normalize(glm::round(point * static_cast<double>(n))); // equal at the seams
   }
   return sphere;
 }

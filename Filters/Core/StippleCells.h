@@ -3,7 +3,6 @@
 #ifndef hachure_StippleCells_h
 #define hachure_StippleCells_h
 
-#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstddef>
@@ -20,13 +19,15 @@ namespace hachure
 class StippleGrid
 {
 public:
-  explicit StippleGrid(float cellSide)
-    : scale(1.0f / cellSide)
+  explicit StippleGrid(double cellSide)
+    : scale(1.0 / cellSide)
   {
   }
   glm::ivec3 cellOf(const glm::vec3& place) const
   {
-    return glm::ivec3(glm::floor(place * this->scale)) + (1 << 20);
+    // Cut off, which is floor for what is above 0, but no call of a function.
+    constexpr double half = 1 << 20;
+    return glm::ivec3(glm::dvec3(place) * this->scale + half);
   }
   std::uint64_t nameOf(const glm::vec3& place) const { return name(this->cellOf(place)); }
   static std::uint64_t name(const glm::ivec3& cell)
@@ -63,7 +64,7 @@ private:
     return (bits | bits << 2) & 0x1249249249249249ull;
   }
 
-  float scale;
+  double scale;
 };
 
 // The members of every cell, which are numbers from 0 on.

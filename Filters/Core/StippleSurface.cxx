@@ -100,7 +100,7 @@ StippleFrame frameOf(const TriangleMesh& mesh, const std::vector<std::int32_t>& 
 // Along a curve through cells so small that neighbours on it are neighbours in space.
 void sortAlongCurve(StippleSurface& surface)
 {
-  const StippleGrid grid(1.0f / 4096.0f);
+  const StippleGrid grid(1.0 / 4096.0);
   std::vector<Hashed> sorted(surface.triangles.size());
   parallelFor(static_cast<std::int64_t>(sorted.size()),
     [&](std::int64_t i)

@@ -206,6 +206,7 @@ float StippleSurfaceSource::make(std::int64_t begin, std::int64_t end,
   const StippleNeighbourhood& around, float mostCrowded,
   std::vector<StippleCandidate>& result) const
 {
+  result.reserve(static_cast<std::size_t>((end - begin) / 4)); // about so many survive
   StrataWalk walk(this->surface, around, mostCrowded, this->octaveSeed, result);
   walk.walk(begin, end, this->surface.area() / static_cast<double>(this->strata));
   return walk.leastLeftOut;

@@ -42,7 +42,7 @@ StippleParticles::StippleParticles(
 void StippleParticles::link(std::int32_t triangle, int corner)
 {
   const std::int32_t vertex = this->triangles[static_cast<std::size_t>(triangle)][corner];
-  this->next[static_cast<std::size_t>(3 * triangle + corner)] =
+  this->next[3 * static_cast<std::size_t>(triangle) + static_cast<std::size_t>(corner)] =
     this->first[static_cast<std::size_t>(vertex)];
   this->first[static_cast<std::size_t>(vertex)] = 3 * triangle + corner;
 }

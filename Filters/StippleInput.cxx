@@ -112,7 +112,7 @@ glm::ivec3 StippleInput::pointsOf(const StipplePoint& point) const
       this->surface.blocks[static_cast<std::size_t>(this->blockOf(point))].firstPoint;
 }
 
-glm::dvec3 StippleInput::positionOf(const StipplePoint& point) const
+glm::dvec3 StippleInput::placeOf(const StipplePoint& point) const
 {
   return this->hasPointsOnly ? this->positions[static_cast<std::size_t>(point.triangle)]
                              : stipplePosition(this->surface.mesh(), point);

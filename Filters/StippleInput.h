@@ -34,7 +34,7 @@ struct StippleInput
   vtkIdType cellOf(const StipplePoint& point) const;
   std::int32_t blockOf(const StipplePoint& point) const;
   glm::ivec3 pointsOf(const StipplePoint& point) const;
-  glm::dvec3 positionOf(const StipplePoint& point) const;
+  glm::dvec3 placeOf(const StipplePoint& point) const;
   // Of unit length, as the input is oriented; 0 for a point without a normal.
   glm::dvec3 normalOf(const StipplePoint& point) const;
 };

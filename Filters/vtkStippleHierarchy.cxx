@@ -90,7 +90,7 @@ void attachGeometry(
     [&](std::int64_t i)
     {
       const StipplePoint& point = found[static_cast<std::size_t>(i)];
-      const glm::dvec3 position = input.positionOf(point);
+      const glm::dvec3 position = input.placeOf(point);
       const glm::dvec3 normal =
         signs[static_cast<std::size_t>(input.blockOf(point))] * input.normalOf(point);
       points->SetPoint(i, &position.x);

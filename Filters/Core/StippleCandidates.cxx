@@ -124,7 +124,7 @@ private:
   // The part has the areas from low to high on the line.
   void descend(const Part& part, double low, double high)
   {
-    constexpr double smallestPart = 1.5; // strata: a look at one costs as much as a few candidates
+    constexpr double smallestPart = 3.0; // strata: a look at one costs as much as a few candidates
     if (low >= this->stratum * this->to || high <= this->stratum * this->from)
     {
       return;

@@ -73,9 +73,9 @@ struct StippleHierarchy
 
 // Spreads points over the triangles, whatever their size and connectivity. Distances are in space,
 // between places that do not face opposite ways: the two sides of a thin wall do not see each
-// other. Progressive keeps half a spacing from open borders, as from points mirrored there. The
-// patches of the mesh are not read. The result is a function of the mesh and the options, whatever
-// the number of threads. Throws std::invalid_argument for a bad mesh or option.
+// other. Progressive keeps a third of a spacing from open borders, about as from mirrored points.
+// The patches of the mesh are not read. The result is a function of the mesh and the options,
+// whatever the number of threads. Throws std::invalid_argument for a bad mesh or option.
 StippleHierarchy stippleSurface(const TriangleMesh& mesh, const StippleOptions& options = {});
 
 // Ranks given points, Progressive only: of points in one place one is taken. Normals of any

@@ -103,10 +103,17 @@ def digests():
     noise = hachure.vtkNoiseKernelPoints()
     noise.SetInputConnection(surface.GetOutputPort())
     noise.SetCamera(camera_at(0.0))
+    stipples = hachure.vtkStippleHierarchy()
+    stipples.SetInputConnection(surface.GetOutputPort())
+    stipples.SetNumberOfPoints(20000)
+    classic = hachure.vtkStippleHierarchy()
+    classic.SetInputConnection(surface.GetOutputPort())
+    classic.SetNumberOfPoints(50000)
+    classic.SetOrderToClassic()
     results = []
     for filter_ in (
             sampler, tracker, pattern, paint, table, patches, blend, directions, noise,
-            metrics_of_waves()):
+            stipples, classic, metrics_of_waves()):
         filter_.Update()
         results.append(filter_.GetClassName() + " " + digest(filter_.GetOutput()))
     return "\n".join(results)
@@ -126,5 +133,5 @@ outputs = [
     ).stdout
     for threads in ("1", "8")
 ]
-assert outputs[0].count("\n") == 10, outputs[0]
+assert outputs[0].count("\n") == 12, outputs[0]
 assert outputs[0] == outputs[1], "\n".join(outputs)

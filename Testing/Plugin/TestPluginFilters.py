@@ -14,6 +14,12 @@ for wanted in (500, 2000):
 for name in ("Normals", "Barycentrics", "PatchId", "SampleId"):
     assert data.GetPointData().HasArray(name), name
 
+stipples = scene.HachureStipples(Input=sphere, NumberOfPoints=3000, Order="Classic")
+data = servermanager.Fetch(stipples)
+assert data.GetNumberOfPoints() == 3000 and data.GetPointData().HasArray("StippleSpacing")
+mesh = servermanager.Fetch(stipples[1])
+assert mesh.GetNumberOfPolys() > 5000, mesh.GetNumberOfPolys()
+
 image = scene.HachurePatternImage(Pattern="Halftone", Size=128, Periods=16)
 data = servermanager.Fetch(image)
 assert data.GetDimensions() == (128, 128, 1), data.GetDimensions()

@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StippleProgressive.h"
+
+// Farthest-point order (Eldar et al. 1997): the next point goes to where there is most room, the
+// middle of the widest gap. So the first n points are, for every n, about as far apart as their
+// gaps are wide.
+//
+// The radius of the gaps, the most room there is, shrinks in *octaves*, in which the number of
+// points doubles. In each the places to choose from are *candidates*, many for every point there
+// will be, made anew; those which have too little room even for its end are left out at once. The
+// others are in cells as wide as points matter, so that a point matters to the cells around its own
+// only.
+//
+// An octave is a sequence of *rounds*, in which all gaps wider than a radius are filled. In a round
+// cells work at the same time: each proposes its best candidate, the least crowded, and it is
+// placed unless a neighbour's better one is near; until all candidates are too crowded. A round's
+// points are then sorted by room. No choice depends on the order of work.
+
+#include "Parallel.h"
+#include "Random.h"
+#include "StippleNeighbourhood.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hachure
+{
+
+namespace
+{
+
+// Candidates for every point that is there at the end of an octave: the more there are, the nearer
+// to the middle of its gap a point is, which the eye sees among some thousand points but not among
+// a million. The first points are roughly placed, so that no lattice grows around them.
+constexpr double mostPerPoint = 256.0;
+constexpr double leastPerPoint = 20.0;
+constexpr double manyCandidates = 2e6;
+constexpr double firstPoints = 64.0;
+constexpr double firstPerPoint = 48.0;
+
+constexpr float octaveRatio = 0.70710678f; // of radii: twice the density
+constexpr float roundRatio = 0.97f;        // of radii
+constexpr float reachRatio = 1.6f;         // of the radius at the beginning of an octave
+// Points that fill an area up to a radius: 0.45 area / radius^2 (measured).
+constexpr double pointsPerDisc = 0.45;
+constexpr float finestRadius = 1e-6f; // floats within 1 do not resolve less
+constexpr std::int64_t candidateGrain = 16384;
+
+std::size_t at(std::int64_t index)
+{
+  return static_cast<std::size_t>(index);
+}
+
+// The candidates of an octave, by cells.
+class CandidateCells
+{
+public:
+  CandidateCells(const std::vector<StippleCandidate>& someCandidates, float side);
+
+  // Places candidates until all are more crowded than the limit, and appends them.
+  void fill(float mostCrowded, std::vector<StippleCandidate>& placed);
+
+private:
+  struct Best
+  {
+    float crowding = std::numeric_limits<float>::infinity();
+    std::int32_t candidate = -1;
+  };
+
+  bool isBetter(const Best& first, const Best& second) const
+  {
+    return first.crowding != second.crowding
+      ? first.crowding < second.crowding
+      : hashMix(static_cast<std::uint64_t>(first.candidate)) >
+        hashMix(static_cast<std::uint64_t>(second.candidate));
+  }
+  void linkNeighbours(float side);
+  void findBest(std::int32_t cell);
+  bool isChosen(std::int32_t cell) const;
+  void place(std::int32_t cell, std::vector<StippleCandidate>& placed);
+  void crowd(std::int32_t cell);
+
+  float reachSquare;
+  std::vector<StippleCandidate> candidates; // by cell
+  StippleCells cells;
+  std::vector<std::int32_t> firstNeighbour, neighbours; // of each cell, with itself
+  std::vector<Best> best;                               // of each cell
+  std::vector<std::int32_t> chosen;                     // candidate placed now, or -1
+  std::vector<char> isTouched;
+};
+
+CandidateCells::CandidateCells(const std::vector<StippleCandidate>& someCandidates, float side)
+  : reachSquare(side * side)
+{
+  const StippleGrid grid(side);
+  std::vector<std::uint64_t> names(someCandidates.size());
+  parallelFor(static_cast<std::int64_t>(names.size()),
+    [&](std::int64_t i) { names[at(i)] = grid.nameOf(someCandidates[at(i)].place); });
+  this->cells = StippleCells(names);
+  this->candidates.resize(someCandidates.size());
+  parallelFor(static_cast<std::int64_t>(names.size()),
+    [&](std::int64_t i)
+    { this->candidates[at(i)] = someCandidates[at(this->cells.members[at(i)])]; });
+  this->linkNeighbours(side);
+  this->best.resize(at(this->cells.size()));
+  this->chosen.assign(at(this->cells.size()), -1);
+  this->isTouched.assign(at(this->cells.size()), 0);
+  parallelFor(this->cells.size(),
+    [this](std::int64_t cell) { this->findBest(static_cast<std::int32_t>(cell)); });
+}
+
+void CandidateCells::linkNeighbours(float side)
+{
+  const StippleGrid grid(side);
+  constexpr std::int64_t grain = 1024;
+  const std::int64_t count = this->cells.size();
+  std::vector<std::vector<std::int32_t>> parts(at(count / grain + 1));
+  this->firstNeighbour.assign(at(count + 1), 0);
+  parallelForRanges(count, grain,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      std::vector<std::int32_t>& part = parts[at(begin / grain)];
+      for (std::int64_t cell = begin; cell < end; ++cell)
+      {
+        const StippleCells::Range range = this->cells.range(static_cast<std::int32_t>(cell));
+        const std::size_t before = part.size();
+        StippleGrid::visitBlock(grid.cellOf(this->candidates[at(range.begin)].place),
+          [&](std::uint64_t name)
+          {
+            const std::int32_t found = this->cells.find(name);
+            if (found >= 0)
+            {
+              part.push_back(found);
+            }
+          });
+        this->firstNeighbour[at(cell + 1)] = static_cast<std::int32_t>(part.size() - before);
+      }
+    });
+  for (std::int64_t cell = 0; cell < count; ++cell)
+  {
+    this->firstNeighbour[at(cell + 1)] += this->firstNeighbour[at(cell)];
+  }
+  this->neighbours.reserve(at(this->firstNeighbour.back()));
+  for (const std::vector<std::int32_t>& part : parts)
+  {
+    this->neighbours.insert(this->neighbours.end(), part.begin(), part.end());
+  }
+}
+
+void CandidateCells::findBest(std::int32_t cell)
+{
+  const StippleCells::Range range = this->cells.range(cell);
+  Best result;
+  for (std::int32_t i = range.begin; i < range.end; ++i)
+  {
+    const Best other = { this->candidates[at(i)].crowding, i };
+    if (result.candidate < 0 || this->isBetter(other, result))
+    {
+      result = other;
+    }
+  }
+  this->best[at(cell)] = result;
+}
+
+// Whether no better candidate is so near that it would change this one's room by much.
+bool CandidateCells::isChosen(std::int32_t cell) const
+{
+  constexpr float nearRatio = 1.5f; // of distance and room
+  const Best& own = this->best[at(cell)];
+  const StippleCandidate& candidate = this->candidates[at(own.candidate)];
+  const float nearest = nearRatio * stippleRoom(own.crowding, std::sqrt(this->reachSquare));
+  for (std::int32_t k = this->firstNeighbour[at(cell)]; k < this->firstNeighbour[at(cell + 1)]; ++k)
+  {
+    const std::int32_t neighbour = this->neighbours[at(k)];
+    const Best& other = this->best[at(neighbour)];
+    if (neighbour != cell && this->isBetter(other, own))
+    {
+      const StippleCandidate& better = this->candidates[at(other.candidate)];
+      if (glm::length(better.place - candidate.place) < nearest &&
+        stipplesMatter(better.normal, candidate.normal))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+void CandidateCells::place(std::int32_t cell, std::vector<StippleCandidate>& placed)
+{
+  placed.push_back(this->candidates[at(this->best[at(cell)].candidate)]);
+  this->chosen[at(cell)] = this->best[at(cell)].candidate;
+}
+
+// Takes the points just placed around a cell into account.
+void CandidateCells::crowd(std::int32_t cell)
+{
+  const StippleCells::Range range = this->cells.range(cell);
+  for (std::int32_t k = this->firstNeighbour[at(cell)]; k < this->firstNeighbour[at(cell + 1)]; ++k)
+  {
+    const std::int32_t other = this->chosen[at(this->neighbours[at(k)])];
+    if (other >= 0)
+    {
+      const StippleCandidate point = this->candidates[at(other)];
+      for (std::int32_t i = range.begin; i < range.end; ++i)
+      {
+        StippleCandidate& candidate = this->candidates[at(i)];
+        const glm::vec3 offset = candidate.place - point.place;
+        const float square = glm::dot(offset, offset);
+        if (square < this->reachSquare && stipplesMatter(candidate.normal, point.normal))
+        {
+          candidate.crowding += stippleCrowding(square, this->reachSquare);
+        }
+      }
+    }
+  }
+  this->findBest(cell);
+}
+
+void CandidateCells::fill(float mostCrowded, std::vector<StippleCandidate>& placed)
+{
+  std::vector<std::int32_t> open; // cells that have a candidate with room enough
+  for (std::int32_t cell = 0; cell < this->cells.size(); ++cell)
+  {
+    if (this->best[at(cell)].crowding <= mostCrowded)
+    {
+      open.push_back(cell);
+    }
+  }
+  std::vector<char> isFree;
+  std::vector<std::int32_t> touched, placing;
+  while (!open.empty())
+  {
+    isFree.assign(open.size(), 0);
+    parallelFor(static_cast<std::int64_t>(open.size()),
+      [&](std::int64_t i) { isFree[at(i)] = this->isChosen(open[at(i)]) ? 1 : 0; });
+    for (std::size_t i = 0; i < open.size(); ++i)
+    {
+      if (isFree[i] != 0)
+      {
+        this->place(open[i], placed);
+        placing.push_back(open[i]);
+        const std::int32_t end = this->firstNeighbour[at(open[i] + 1)];
+        for (std::int32_t k = this->firstNeighbour[at(open[i])]; k < end; ++k)
+        {
+          const std::int32_t neighbour = this->neighbours[at(k)];
+          if (this->isTouched[at(neighbour)] == 0)
+          {
+            this->isTouched[at(neighbour)] = 1;
+            touched.push_back(neighbour);
+          }
+        }
+      }
+    }
+    parallelFor(static_cast<std::int64_t>(touched.size()),
+      [&](std::int64_t i) { this->crowd(touched[at(i)]); });
+    for (const std::int32_t cell : touched)
+    {
+      this->isTouched[at(cell)] = 0;
+    }
+    for (const std::int32_t cell : placing)
+    {
+      this->chosen[at(cell)] = -1;
+    }
+    touched.clear();
+    placing.clear();
+    open.erase(std::remove_if(open.begin(), open.end(),
+                 [&](std::int32_t cell) { return this->best[at(cell)].crowding > mostCrowded; }),
+      open.end());
+  }
+}
+
+// The candidates that may be placed in an octave.
+struct Survivors
+{
+  std::vector<StippleCandidate> candidates;
+  float leastLeftOut = std::numeric_limits<float>::infinity(); // crowding
+};
+
+Survivors makeCandidates(const StippleSource& source, std::int64_t count,
+  const StippleNeighbourhood& around, float mostCrowded)
+{
+  std::vector<Survivors> parts(at((count + candidateGrain - 1) / candidateGrain));
+  parallelForRanges(count, candidateGrain,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      Survivors& part = parts[at(begin / candidateGrain)];
+      part.leastLeftOut = source.make(begin, end, around, mostCrowded, part.candidates);
+    });
+  Survivors all;
+  std::size_t total = 0;
+  for (const Survivors& part : parts)
+  {
+    total += part.candidates.size();
+  }
+  all.candidates.reserve(total);
+  for (Survivors& part : parts)
+  {
+    all.leastLeftOut = std::min(all.leastLeftOut, part.leastLeftOut);
+    all.candidates.insert(all.candidates.end(), part.candidates.begin(), part.candidates.end());
+    part.candidates = std::vector<StippleCandidate>(); // not all of them twice
+  }
+  return all;
+}
+
+// Crowding to the eighth of a length.
+float crowdingFor(float room, float reach)
+{
+  return stippleCrowding(room * room, reach * reach);
+}
+
+// Crowding of the points just placed becomes their room, the most first.
+void sortByRoom(
+  std::vector<StippleCandidate>& points, std::size_t first, float reach, float mostRoom)
+{
+  std::stable_sort(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(),
+    [](const StippleCandidate& a, const StippleCandidate& b) { return a.crowding < b.crowding; });
+  for (std::size_t i = first; i < points.size(); ++i)
+  {
+    points[i].crowding = std::min(mostRoom, stippleRoom(points[i].crowding, reach));
+  }
+}
+
+std::int64_t candidatesFor(double area, float radius, std::size_t placed)
+{
+  const double fromArea = pointsPerDisc * area / (static_cast<double>(radius) * radius);
+  const double points = std::max({ 1.0, fromArea, 1.4 * static_cast<double>(placed) });
+  const double perPoint = points < firstPoints
+    ? firstPerPoint
+    : std::clamp(manyCandidates / points, leastPerPoint, mostPerPoint);
+  return static_cast<std::int64_t>(perPoint * points);
+}
+
+} // namespace
+
+std::vector<StippleCandidate> fillGaps(StippleSource& source, double area,
+  const std::vector<StippleBorder>& borders, std::int64_t count, const ProgressFn& progress)
+{
+  std::vector<StippleCandidate> placed;
+  placed.reserve(at(count));
+  float radius = 1.0f;
+  for (std::uint32_t octave = 0; radius > finestRadius; ++octave)
+  {
+    const float last = radius * octaveRatio;
+    const float reach = radius * reachRatio;
+    const std::int64_t number = source.prepare(candidatesFor(area, last, placed.size()), octave);
+    const StippleNeighbourhood around(placed, borders, reach);
+    const Survivors survivors = makeCandidates(source, number, around, crowdingFor(last, reach));
+    if (survivors.candidates.empty() && source.isExhausted())
+    {
+      radius = stippleRoom(survivors.leastLeftOut, reach);
+      continue;
+    }
+    CandidateCells cells(survivors.candidates, reach);
+    while (radius > last)
+    {
+      if (progress && !progress(static_cast<double>(placed.size()) / static_cast<double>(count)))
+      {
+        return {};
+      }
+      const float before = radius;
+      const std::size_t first = placed.size();
+      radius = std::max(last, radius * roundRatio);
+      cells.fill(crowdingFor(radius, reach), placed);
+      sortByRoom(placed, first, reach, before);
+      if (placed.size() >= at(count))
+      {
+        placed.resize(at(count));
+        return placed;
+      }
+    }
+  }
+  return placed;
+}
+
+} // namespace hachure

@@ -59,6 +59,13 @@ void BlitDepth(vtkOpenGLState* state, const std::array<int, 4>& rectangle)
   state->vtkglBlitFramebuffer(rectangle[0], rectangle[1], right, top, rectangle[0], rectangle[1],
     right, top, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
 }
+
+// Before images are read back: after a frame without any primitive Mesa's software OpenGL has been
+// seen to answer with the image from before the last drawing.
+void FinishDrawing()
+{
+  glFinish();
+}
 } // namespace
 
 bool vtkPatternWindowResources::Attach(
@@ -184,6 +191,7 @@ std::vector<float> vtkPatternWindowResources::ReadDepth(
     static_cast<std::size_t>(rectangle[2]) * static_cast<std::size_t>(rectangle[3]));
   window->GetState()->PushFramebufferBindings();
   this->AttributeFramebuffer->Bind(GL_READ_FRAMEBUFFER);
+  FinishDrawing();
   // Whatever the alignment of rows is: those of four-byte numbers have no gaps.
   glReadPixels(rectangle[0], rectangle[1], rectangle[2], rectangle[3], GL_DEPTH_COMPONENT, GL_FLOAT,
     depth.data());
@@ -199,6 +207,7 @@ std::vector<std::uint8_t> vtkPatternWindowResources::ReadTones(
   window->GetState()->PushFramebufferBindings();
   this->AttributeFramebuffer->Bind(GL_READ_FRAMEBUFFER);
   this->AttributeFramebuffer->ActivateReadBuffer(vtkPatternAttributes::TONE);
+  FinishDrawing();
   glReadPixels(rectangle[0], rectangle[1], rectangle[2], rectangle[3], GL_RGBA, GL_UNSIGNED_BYTE,
     tones.data());
   window->GetState()->PopFramebufferBindings();

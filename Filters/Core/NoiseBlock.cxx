@@ -21,12 +21,11 @@ struct LaneVector
   FloatLanes x, y, z;
 };
 
-HACHURE_INLINED void loadVector(const NoiseBlock::Numbers& x, const NoiseBlock::Numbers& y,
-  const NoiseBlock::Numbers& z, LaneVector& result)
+HACHURE_INLINED void loadVector(const NoiseBlock::Vectors& from, LaneVector& result)
 {
-  result.x = loadLanes(x.data());
-  result.y = loadLanes(y.data());
-  result.z = loadLanes(z.data());
+  result.x = loadLanes(from.x.data());
+  result.y = loadLanes(from.y.data());
+  result.z = loadLanes(from.z.data());
 }
 
 HACHURE_INLINED FloatLanes dotLanes(const glm::vec3& row, const LaneVector& vector)
@@ -72,17 +71,17 @@ HACHURE_INLINED FloatLanes turnAngle(const NoiseBlockView& view, const NoiseBloc
   const LaneClip& clip, const LaneVector& normal, const FloatLanes& facing)
 {
   LaneVector tangent, across;
-  loadVector(block.tangentX, block.tangentY, block.tangentZ, tangent);
+  loadVector(block.tangent, tangent);
   const FloatLanes square = normal.x * normal.x + normal.y * normal.y + normal.z * normal.z;
   const FloatLanes scale = 1.0f / (rootLanes(square) + leastNumber);
   across.x = (normal.y * tangent.z - normal.z * tangent.y) * scale;
   across.y = (normal.z * tangent.x - normal.x * tangent.z) * scale;
   across.z = (normal.x * tangent.y - normal.y * tangent.x) * scale;
-  FloatLanes firstX, firstY, secondX, secondY;
+  FloatLanes firstX, firstY, otherX, otherY;
   changeLanes(view, clip, tangent, firstX, firstY);
-  changeLanes(view, clip, across, secondX, secondY);
+  changeLanes(view, clip, across, otherX, otherY);
   const FloatLanes sign = chooseLanes(facing, fillLanes(1.0f), fillLanes(-1.0f));
-  return angleLanes(firstX + sign * secondY, firstY - sign * secondX);
+  return angleLanes(firstX + sign * otherY, firstY - sign * otherX);
 }
 
 // Squared distance from the viewport.
@@ -126,28 +125,25 @@ HACHURE_INLINED void slopeLanes(const NoiseBlockView& view, const LaneClip& clip
 void NoiseBlock::place(
   int lane, const NoiseTriangle& at, const glm::dvec2& weights, const NoiseFrame& frame)
 {
-  const glm::dvec3 offset =
-    ((at.origin - frame.origin) + weights.x * at.u + weights.y * at.v) / frame.unit;
-  const glm::dvec3 normal = glm::cross(at.u, at.v) / (2.0 * at.area);
   const double side = glm::length(at.u);
-  const glm::dvec3 tangent = side > 0.0 ? at.u / side : glm::dvec3(0.0);
-  const auto set = [lane](const glm::dvec3& from, Numbers& first, Numbers& second, Numbers& third)
+  const auto set = [lane](Vectors& vectors, const glm::dvec3& value)
   {
-    first[lane] = static_cast<float>(from.x);
-    second[lane] = static_cast<float>(from.y);
-    third[lane] = static_cast<float>(from.z);
+    vectors.x[lane] = static_cast<float>(value.x);
+    vectors.y[lane] = static_cast<float>(value.y);
+    vectors.z[lane] = static_cast<float>(value.z);
   };
-  set(offset, this->x, this->y, this->z);
-  set(normal, this->normalX, this->normalY, this->normalZ);
-  set(tangent, this->tangentX, this->tangentY, this->tangentZ);
+  set(
+    this->offset, ((at.origin - frame.origin) + weights.x * at.u + weights.y * at.v) / frame.unit);
+  set(this->normal, glm::cross(at.u, at.v) / (2.0 * at.area));
+  set(this->tangent, side > 0.0 ? at.u / side : glm::dvec3(0.0));
 }
 
 HACHURE_WIDE_CLONES
 void projectNoiseBlock(const NoiseBlockView& view, const NoiseBlock& block, NoiseImages& images)
 {
   LaneVector place, normal;
-  loadVector(block.x, block.y, block.z, place);
-  loadVector(block.normalX, block.normalY, block.normalZ, normal);
+  loadVector(block.offset, place);
+  loadVector(block.normal, normal);
   const auto depthOffset = static_cast<float>(view.depthOffset);
   const FloatLanes w = atLanes(view.rowW, place);
   LaneClip clip;

@@ -35,12 +35,14 @@ struct NoiseFrame
 struct NoiseBlock
 {
   using Numbers = std::array<float, floatLanes>;
-  alignas(32) Numbers x, y, z;
-  // Normal of the triangle, as long as the triangle's area is in units of that in the reference.
-  Numbers normalX, normalY, normalZ;
-  // First edge, of unit length.
-  Numbers tangentX, tangentY, tangentZ;
-  Numbers birth; // per unit of the frame's area
+  struct Vectors
+  {
+    alignas(32) Numbers x, y, z;
+  };
+  Vectors offset;  // from the frame's origin
+  Vectors normal;  // of the triangle, as long as its area is in units of that in the reference
+  Vectors tangent; // along the first edge, of unit length
+  Numbers birth;   // per unit of the frame's area
   std::array<std::uint64_t, floatLanes> id;
   std::array<std::int32_t, floatLanes> triangle; // in the order of the tree
   std::array<std::int8_t, floatLanes> cell;      // as in NoiseRecord

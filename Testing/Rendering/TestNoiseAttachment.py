@@ -227,7 +227,9 @@ def test_odd_surfaces():
         assert (pixels.std() > 10) == (other.GetNumberOfCells() > 0)
     scene.expect_messages("1 input point(s) have a coordinate that is not finite")
     data.ShallowCopy(plate(range(64)))
-    assert (scene.draw(window) == first).all()
+    last = scene.draw(window).astype(int)
+    print("back", abs(last - first).max(), (last != first).sum())
+    assert (last == first).all()
 
 
 scene.run(globals())

@@ -6,7 +6,6 @@
 
 #include "AnchoredPatterns.h"
 #include "vtkActor.h"
-#include "vtkAlgorithmOutput.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCameraInterpolator.h"
@@ -15,27 +14,14 @@
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
-#include "vtkNoiseBackEnd.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPatternBlocks.h"
-#include "vtkPatternCompositor.h"
-#include "vtkPatternFieldStage.h"
-#include "vtkPatternLights.h"
 #include "vtkPatternMapperHelper.h"
-#include "vtkPatternNoiseSurface.h"
+#include "vtkPatternMapperInternals.h"
 #include "vtkPatternNumberBuffer.h"
-#include "vtkPatternPatchRecords.h"
-#include "vtkPatternPatches.h"
-#include "vtkPatternScreenPass.h"
-#include "vtkPatternShaderInjector.h"
 #include "vtkPatternStyle.h"
-#include "vtkPatternToneChannels.h"
-#include "vtkPatternTonePeel.h"
-#include "vtkPatternViewContext.h"
-#include "vtkPatternViewport.h"
-#include "vtkPatternWindowResources.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -53,57 +39,6 @@
 #include <sstream>
 
 vtkStandardNewMacro(vtkPatternMapper);
-
-struct vtkPatternMapper::WindowPart
-{
-  vtkPatternCompositor Compositor;
-  std::shared_ptr<vtkPatternWindowResources> Resources;
-  vtkPatternScreenPass ScreenPass;
-  vtkPatternTonePeel TonePeel;
-  vtkPatternPatchRecordBuffers PatchRecords;
-  unsigned long PatchVersion = 0; // of the records in the buffer
-};
-
-struct vtkPatternMapper::Internals
-{
-  vtkPatternToneChannels Channels;
-  vtkPatternLights Lights; // of the renderer that draws now
-  vtkPatternPatches Patches;
-  vtkPatternPatchRecords PatchRecords;
-  glm::dvec3 PatchOrigin{ 0.0 };
-  vtkPatternNoiseSurface NoiseSurface;
-  vtkTimeStamp ChannelTime;
-  bool UsesTextureCoordinates = false; // once needed, they stay in the vertex buffers
-  bool UsesPrimitiveIds = false;       // the same
-  unsigned long IdentifiedCells = 0;   // of the noise's surface, whose ids the buffers hold
-  std::map<vtkWindow*, WindowPart> Windows;
-  vtkNew<vtkPatternShaderInjector> AttributeInjector;
-  vtkNew<vtkPatternShaderInjector> PeelInjector;
-  vtkNew<vtkPatternShaderInjector> ForwardInjector;
-  std::vector<double> KeyTimes;
-  std::string ChannelError;
-  std::string ReportedStyle;
-  std::map<vtkRenderer*, std::string> ReportedLights; // renderers may have different ones
-  std::string ReportedDevice;
-  std::string ReportedNote;
-  std::string ReportedProblem;
-  std::string ReportedField;
-  std::string ReportedBackEnd;
-};
-
-// All that one Render call hands from step to step.
-struct vtkPatternMapper::Drawing
-{
-  vtkRenderer* Renderer;
-  vtkActor* Actor;
-  vtkOpenGLRenderWindow* Window;
-  WindowPart& Part;
-  vtkPatternViewport Viewport;
-  vtkPatternViewContext::Track* Track;
-  bool Measures; // the visibility of the samples belongs to this drawing
-  std::array<int, 4> Rectangle = { 0, 0, 0, 0 };     // x, y, width, height in the framebuffer
-  std::vector<vtkPatternTonePeel::Image> Tones = {}; // of a translucent surface
-};
 
 namespace
 {
@@ -410,23 +345,6 @@ bool vtkPatternMapper::GetUsesTextureCoordinates() const
   return this->Internal->UsesTextureCoordinates;
 }
 
-void vtkPatternMapper::UpdatePrimitiveIds(bool needed)
-{
-  const unsigned long cells = this->Internal->NoiseSurface.GetCellVersion();
-  if (needed && (!this->Internal->UsesPrimitiveIds || this->Internal->IdentifiedCells != cells))
-  {
-    this->Internal->UsesPrimitiveIds = true;
-    this->Internal->IdentifiedCells = cells;
-    this->Internal->ChannelTime.Modified();
-    this->Modified();
-  }
-}
-
-bool vtkPatternMapper::GetUsesPrimitiveIds() const
-{
-  return this->Internal->UsesPrimitiveIds;
-}
-
 void vtkPatternMapper::SetInputOrigin(vtkAlgorithm* algorithm)
 {
   if (algorithm != this->InputOrigin)
@@ -439,29 +357,6 @@ void vtkPatternMapper::SetInputOrigin(vtkAlgorithm* algorithm)
 vtkAlgorithm* vtkPatternMapper::GetInputOrigin()
 {
   return this->InputOrigin;
-}
-
-void vtkPatternMapper::UpdateNoiseSurface()
-{
-  vtkDataObject* input = this->GetInputDataObject(0, 0);
-  vtkAlgorithm* origin = this->InputOrigin;
-  this->Internal->NoiseSurface.Update(input,
-    { origin ? origin : this->GetInputAlgorithm(), this->GetInputConnection(0, 0)->GetIndex(),
-      vtkPatternViewContext::DataTimeOf(input), this->AnimationTime });
-}
-
-void vtkPatternMapper::AppendPrimitiveIds(
-  vtkPolyData* block, const std::vector<vtkIdType>& cells, std::vector<float>& ids)
-{
-  try
-  {
-    this->UpdateNoiseSurface();
-  }
-  catch (const std::exception&)
-  {
-    // Reported where the noise is drawn; the surface is empty.
-  }
-  this->Internal->NoiseSurface.AppendPrimitiveIds(block, cells, ids);
 }
 
 void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
@@ -635,66 +530,6 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
   }
 }
 
-// Of the object in this renderer; null for stand-ins of lower detail and anchored patterns.
-vtkPatternNoiseHistory* vtkPatternMapper::NoiseHistory(Drawing& drawing)
-{
-  if (this->TrackedMapper)
-  {
-    return nullptr;
-  }
-  if (this->Style->GetTrackingMode() == vtkPatternStyle::ANCHORED)
-  {
-    drawing.Track->Noise.Forget();
-    return nullptr;
-  }
-  drawing.Track->Noise.Keep(this->Style);
-  return &drawing.Track->Noise;
-}
-
-// Returns whether all could be drawn.
-bool vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToClip, bool forward)
-{
-  if (!drawing.Part.Compositor.NeedsFields())
-  {
-    return true;
-  }
-  double bounds[6];
-  this->GetBounds(bounds);
-  const vtkBoundingBox box(bounds);
-  double center[3];
-  box.GetCenter(center);
-  std::string note;
-  const int backEnd =
-    forward ? GATHER : vtkNoiseBackEnd::Choose(drawing.Window, this->NoiseBackEnd, note);
-  if (!note.empty() && note != this->Internal->ReportedBackEnd)
-  {
-    vtkWarningMacro(<< note);
-    this->Internal->ReportedBackEnd = note;
-  }
-  try
-  {
-    this->UpdateNoiseSurface();
-    const vtkPatternFieldStage stage = { drawing.Window, *drawing.Part.Resources,
-      this->Internal->NoiseSurface, this->NoiseHistory(drawing), drawing.Viewport.IsTile,
-      modelToClip, drawing.Viewport.Drawn, drawing.Rectangle, { center[0], center[1], center[2] },
-      backEnd, vtkPatternViewContext::Get(drawing.Renderer)->GetFrameNumber(),
-      [&]() -> const std::vector<vtkPatternTonePeel::Image>&
-      {
-        this->PeelTones(drawing);
-        return drawing.Tones;
-      } };
-    this->Report(
-      forward ? stage.DrawForward(drawing.Part.Compositor) : stage.Draw(drawing.Part.Compositor),
-      this->Internal->ReportedField);
-    return true;
-  }
-  catch (const std::exception& problem)
-  {
-    this->Report(problem.what(), this->Internal->ReportedField);
-    return false;
-  }
-}
-
 void vtkPatternMapper::UploadPatchRecords(Drawing& drawing)
 {
   const vtkPatternPatchRecords& records = this->Internal->PatchRecords;
@@ -704,29 +539,6 @@ void vtkPatternMapper::UploadPatchRecords(Drawing& drawing)
     drawing.Part.PatchRecords.Upload(drawing.Window, records.All());
     drawing.Part.PatchVersion = records.GetVersion();
   }
-}
-
-void vtkPatternMapper::PeelTones(Drawing& drawing)
-{
-  const vtkPatternAttributes tonesAlone;
-  if (drawing.Rectangle[2] < 1 || drawing.Rectangle[3] < 1 ||
-    !drawing.Part.Resources->Prepare(drawing.Window, tonesAlone))
-  {
-    return;
-  }
-  vtkPatternTonePeel& peel = drawing.Part.TonePeel;
-  vtkPatternShaderInjector* injector = this->Internal->PeelInjector;
-  injector->Configure(vtkPatternShaderInjector::PEEL, this->Internal->Channels,
-    this->Internal->Lights.GetCount(), this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
-    tonesAlone, std::string());
-  injector->UniformSetter = [&](vtkShaderProgram* program)
-  {
-    this->Internal->Lights.SetUniforms(program, this->Internal->Channels);
-    peel.SetUniforms(program);
-  };
-  drawing.Tones = peel.Peel(drawing.Window, *drawing.Part.Resources, drawing.Rectangle,
-    [&]() { this->DrawAttributes(drawing, injector); });
-  injector->UniformSetter = nullptr;
 }
 
 // With the depth test and no blending, whatever the pass does in which this happens.

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The fields of vtkPatternMapper's layers: what is drawn before the layers read it.
+#include "vtkPatternMapperInternals.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkBoundingBox.h"
+#include "vtkNoiseBackEnd.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPatternFieldStage.h"
+#include "vtkPatternNoiseHistory.h"
+#include "vtkPatternStyle.h"
+#include "vtkPolyData.h"
+#include "vtkShaderProgram.h"
+
+#include <exception>
+
+void vtkPatternMapper::UpdatePrimitiveIds(bool needed)
+{
+  const unsigned long cells = this->Internal->NoiseSurface.GetCellVersion();
+  if (needed && (!this->Internal->UsesPrimitiveIds || this->Internal->IdentifiedCells != cells))
+  {
+    this->Internal->UsesPrimitiveIds = true;
+    this->Internal->IdentifiedCells = cells;
+    this->Internal->ChannelTime.Modified();
+    this->Modified();
+  }
+}
+
+bool vtkPatternMapper::GetUsesPrimitiveIds() const
+{
+  return this->Internal->UsesPrimitiveIds;
+}
+
+void vtkPatternMapper::UpdateNoiseSurface()
+{
+  vtkDataObject* input = this->GetInputDataObject(0, 0);
+  vtkAlgorithm* origin = this->InputOrigin;
+  this->Internal->NoiseSurface.Update(input,
+    { origin ? origin : this->GetInputAlgorithm(), this->GetInputConnection(0, 0)->GetIndex(),
+      vtkPatternViewContext::DataTimeOf(input), this->AnimationTime });
+}
+
+void vtkPatternMapper::AppendPrimitiveIds(
+  vtkPolyData* block, const std::vector<vtkIdType>& cells, std::vector<float>& ids)
+{
+  try
+  {
+    this->UpdateNoiseSurface();
+  }
+  catch (const std::exception&)
+  {
+    // Reported where the noise is drawn; the surface is empty.
+  }
+  this->Internal->NoiseSurface.AppendPrimitiveIds(block, cells, ids);
+}
+
+// Of the object in this renderer; null for stand-ins of lower detail and anchored patterns.
+vtkPatternNoiseHistory* vtkPatternMapper::NoiseHistory(Drawing& drawing)
+{
+  if (this->TrackedMapper)
+  {
+    return nullptr;
+  }
+  if (this->Style->GetTrackingMode() == vtkPatternStyle::ANCHORED)
+  {
+    drawing.Track->Noise.Forget();
+    return nullptr;
+  }
+  drawing.Track->Noise.Keep(this->Style);
+  return &drawing.Track->Noise;
+}
+
+// Returns whether all could be drawn.
+bool vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToClip, bool forward)
+{
+  if (!drawing.Part.Compositor.NeedsFields())
+  {
+    return true;
+  }
+  double bounds[6];
+  this->GetBounds(bounds);
+  const vtkBoundingBox box(bounds);
+  double center[3];
+  box.GetCenter(center);
+  std::string note;
+  const int backEnd =
+    forward ? GATHER : vtkNoiseBackEnd::Choose(drawing.Window, this->NoiseBackEnd, note);
+  if (!note.empty() && note != this->Internal->ReportedBackEnd)
+  {
+    vtkWarningMacro(<< note);
+    this->Internal->ReportedBackEnd = note;
+  }
+  try
+  {
+    this->UpdateNoiseSurface();
+    const vtkPatternFieldStage stage = { drawing.Window, *drawing.Part.Resources,
+      this->Internal->NoiseSurface, this->NoiseHistory(drawing), drawing.Viewport.IsTile,
+      modelToClip, drawing.Viewport.Drawn, drawing.Rectangle, { center[0], center[1], center[2] },
+      backEnd, vtkPatternViewContext::Get(drawing.Renderer)->GetFrameNumber(),
+      [&]() -> const std::vector<vtkPatternTonePeel::Image>&
+      {
+        this->PeelTones(drawing);
+        return drawing.Tones;
+      } };
+    this->Report(
+      forward ? stage.DrawForward(drawing.Part.Compositor) : stage.Draw(drawing.Part.Compositor),
+      this->Internal->ReportedField);
+    return true;
+  }
+  catch (const std::exception& problem)
+  {
+    this->Report(problem.what(), this->Internal->ReportedField);
+    return false;
+  }
+}
+
+void vtkPatternMapper::PeelTones(Drawing& drawing)
+{
+  const vtkPatternAttributes tonesAlone;
+  if (drawing.Rectangle[2] < 1 || drawing.Rectangle[3] < 1 ||
+    !drawing.Part.Resources->Prepare(drawing.Window, tonesAlone))
+  {
+    return;
+  }
+  vtkPatternTonePeel& peel = drawing.Part.TonePeel;
+  vtkPatternShaderInjector* injector = this->Internal->PeelInjector;
+  injector->Configure(vtkPatternShaderInjector::PEEL, this->Internal->Channels,
+    this->Internal->Lights.GetCount(), this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
+    tonesAlone, std::string());
+  injector->UniformSetter = [&](vtkShaderProgram* program)
+  {
+    this->Internal->Lights.SetUniforms(program, this->Internal->Channels);
+    peel.SetUniforms(program);
+  };
+  drawing.Tones = peel.Peel(drawing.Window, *drawing.Part.Resources, drawing.Rectangle,
+    [&]() { this->DrawAttributes(drawing, injector); });
+  injector->UniformSetter = nullptr;
+}

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the parts of vtkPatternMapper's implementation share. Internal.
+#ifndef vtkPatternMapperInternals_h
+#define vtkPatternMapperInternals_h
+
+#include "vtkNew.h"
+#include "vtkPatternCompositor.h"
+#include "vtkPatternLights.h"
+#include "vtkPatternMapper.h"
+#include "vtkPatternNoiseSurface.h"
+#include "vtkPatternPatchRecords.h"
+#include "vtkPatternPatches.h"
+#include "vtkPatternScreenPass.h"
+#include "vtkPatternShaderInjector.h"
+#include "vtkPatternToneChannels.h"
+#include "vtkPatternTonePeel.h"
+#include "vtkPatternViewContext.h"
+#include "vtkPatternViewport.h"
+#include "vtkPatternWindowResources.h"
+#include "vtkTimeStamp.h"
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+struct vtkPatternMapper::WindowPart
+{
+  vtkPatternCompositor Compositor;
+  std::shared_ptr<vtkPatternWindowResources> Resources;
+  vtkPatternScreenPass ScreenPass;
+  vtkPatternTonePeel TonePeel;
+  vtkPatternPatchRecordBuffers PatchRecords;
+  unsigned long PatchVersion = 0; // of the records in the buffer
+};
+
+struct vtkPatternMapper::Internals
+{
+  vtkPatternToneChannels Channels;
+  vtkPatternLights Lights; // of the renderer that draws now
+  vtkPatternPatches Patches;
+  vtkPatternPatchRecords PatchRecords;
+  glm::dvec3 PatchOrigin{ 0.0 };
+  vtkPatternNoiseSurface NoiseSurface;
+  vtkTimeStamp ChannelTime;
+  bool UsesTextureCoordinates = false; // once needed, they stay in the vertex buffers
+  bool UsesPrimitiveIds = false;       // the same
+  unsigned long IdentifiedCells = 0;   // of the noise's surface, whose ids the buffers hold
+  std::map<vtkWindow*, WindowPart> Windows;
+  vtkNew<vtkPatternShaderInjector> AttributeInjector;
+  vtkNew<vtkPatternShaderInjector> PeelInjector;
+  vtkNew<vtkPatternShaderInjector> ForwardInjector;
+  std::vector<double> KeyTimes;
+  std::string ChannelError;
+  std::string ReportedStyle;
+  std::map<vtkRenderer*, std::string> ReportedLights; // renderers may have different ones
+  std::string ReportedDevice;
+  std::string ReportedNote;
+  std::string ReportedProblem;
+  std::string ReportedField;
+  std::string ReportedBackEnd;
+};
+
+// All that one Render call hands from step to step.
+struct vtkPatternMapper::Drawing
+{
+  vtkRenderer* Renderer;
+  vtkActor* Actor;
+  vtkOpenGLRenderWindow* Window;
+  WindowPart& Part;
+  vtkPatternViewport Viewport;
+  vtkPatternViewContext::Track* Track;
+  bool Measures; // the visibility of the samples belongs to this drawing
+  std::array<int, 4> Rectangle = { 0, 0, 0, 0 };     // x, y, width, height in the framebuffer
+  std::vector<vtkPatternTonePeel::Image> Tones = {}; // of a translucent surface
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkPatternMapperInternals.h

@@ -17,8 +17,8 @@ for name in ("Normals", "Barycentrics", "PatchId", "SampleId"):
 stipples = scene.HachureStipples(Input=sphere, NumberOfPoints=3000, Order="Classic")
 data = servermanager.Fetch(stipples)
 assert data.GetNumberOfPoints() == 3000 and data.GetPointData().HasArray("StippleSpacing")
-mesh = servermanager.Fetch(stipples[1])
-assert mesh.GetNumberOfPolys() > 5000, mesh.GetNumberOfPolys()
+particles = servermanager.Fetch(simple.ExtractSurface(Input=stipples[1]))
+assert particles.GetNumberOfPolys() > 5000, particles.GetNumberOfPolys()
 
 image = scene.HachurePatternImage(Pattern="Halftone", Size=128, Periods=16)
 data = servermanager.Fetch(image)

@@ -46,7 +46,7 @@ struct NoiseBlock
   std::array<std::uint64_t, floatLanes> id;
   std::array<std::int32_t, floatLanes> triangle; // in the order of the tree
   std::array<std::int8_t, floatLanes> cell;      // as in NoiseRecord
-  std::int8_t count;                             // points in use, the first ones
+  int count;                                     // points in use, the first ones
 
   // Puts a point of a triangle to its place; weights: of the second and third corner.
   void place(int lane, const NoiseTriangle& at, const glm::dvec2& weights, const NoiseFrame& frame);

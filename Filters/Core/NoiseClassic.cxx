@@ -124,7 +124,7 @@ public:
     {
       std::array<NoisePoint, floatLanes> points;
       NoiseBlock block{};
-      block.count = static_cast<std::int8_t>(std::min(floatLanes, total - first));
+      block.count = std::min(floatLanes, total - first);
       for (int lane = 0; lane < block.count; ++lane)
       {
         const std::uint64_t id = batch.id(first + lane);

@@ -142,7 +142,7 @@ struct NoiseSurface::Data
       block.birth[lane] = static_cast<float>(record.birth * this->unit * this->unit);
       block.triangle[lane] = record.triangle;
       block.cell[lane] = static_cast<std::int8_t>(record.cell);
-      block.count = static_cast<std::int8_t>(i < records.size() ? lane + 1 : block.count);
+      block.count = i < records.size() ? lane + 1 : block.count;
     }
   }
 

@@ -317,7 +317,15 @@ void NoiseAttachment::kernels(const std::shared_ptr<NoiseSurface>& next, const N
     this->replace(next, options);
   }
   this->lastControlled = static_cast<bool>(options.control);
-  next->kernels(view, options, result, this->lastControlled ? &this->lastPoints : nullptr, hidden);
+  if (this->lastControlled && this->life > 0)
+  {
+    // What is hidden now is carried, too.
+    next->kernels(view, options, result, &this->lastPoints);
+  }
+  else
+  {
+    next->kernels(view, options, result, nullptr, hidden);
+  }
   this->lastView = view;
   this->lastOptions = options;
   this->lastOptions.control = nullptr;

@@ -28,11 +28,12 @@
 //   than half a kernel away, where the old one is farther than the reach, and where it was not
 //   seen, or not as closely;
 // - points whose way back ends elsewhere fade out; those that would jump by more than a kernel go
-// at
-//   once, with the surface that they were on;
+//   at once, with the surface that they were on;
 // - points that both surfaces have, by the ids of triangles or by equal triangles, stay as they
-// are. Between changes nothing fades: the same surface and view have the same kernels. Frames
-// depend on those before by the view of the last frame on the old surface alone.
+// are.
+//
+// Between changes nothing fades: the same surface and view have the same kernels. Frames depend on
+// those before by the view of the last frame on the old surface alone.
 namespace hachure
 {
 
@@ -44,7 +45,8 @@ public:
 
   // The kernels of a view. Another surface than in the last call replaces that. It is kept, and
   // must stay as it is, with its positions, until the call after the next change: a pointer that
-  // owns those as well will do. Throws as NoiseSurface::kernels does.
+  // owns those as well will do. hidden: may leave out kernels that nothing is seen of; the next
+  // change does not depend on it. Throws as NoiseSurface::kernels does.
   void kernels(const std::shared_ptr<NoiseSurface>& next, const NoiseView& view,
     const NoiseKernelOptions& options, std::vector<NoiseKernel>& result,
     const NoiseOcclusion* hidden = nullptr);

@@ -131,10 +131,15 @@ void forTiles(Span<const NoiseKernel> kernels, const NoiseSurroundings& surround
 
 } // namespace hachure::noise
 
-struct hachure::NoiseFieldMemory::Data
+namespace hachure
+{
+
+struct NoiseFieldMemory::Data
 {
   noise::TiledKernels tiled;
   std::vector<noise::TileSums> sums; // of every thread
 };
+
+} // namespace hachure
 
 #endif

@@ -171,7 +171,9 @@ struct NoiseSurface::Data
     const bool controlled = task.projection.isControlled();
     for (int lane = 0; lane < block.count; ++lane)
     {
-      const bool drawn = controlled ? !std::signbit(images.seen[lane]) : images.weight[lane] > 0.0f;
+      const bool drawn = controlled ? !std::signbit(images.seen[lane]) &&
+          images.density[lane] * view.highestDensity > block.birth[lane]
+                                    : images.weight[lane] > 0.0f;
       if (drawn && !(task.hidden && isHidden(*task.hidden, images, lane)))
       {
         this->emitPoint(block, images, lane, task.projection, output, weightsOf);

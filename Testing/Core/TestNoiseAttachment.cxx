@@ -4,8 +4,10 @@
 // Kernels of a surface that is replaced frame by frame by others with other triangles: they keep
 // their density and their deviation, stay where they are, and come and go slowly.
 
+#include "CallTests.h"
 #include "NoiseAttachment.h"
 #include "NoiseField.h"
+#include "NoiseOcclusion.h"
 #include "NoiseScene.h"
 
 #include <gtest/gtest.h>
@@ -125,20 +127,6 @@ double meanProduct(const std::vector<float>& a, const std::vector<float>& b)
 double changeOf(const std::vector<float>& a, const std::vector<float>& b)
 {
   return 1.0 - meanProduct(a, b) / std::sqrt(meanProduct(a, a) * meanProduct(b, b));
-}
-
-template <class Action>
-std::string messageOf(Action&& action)
-{
-  try
-  {
-    action();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
-  return "no error";
 }
 
 // Calls body(kernel before, kernel after) for those that are in both.
@@ -449,6 +437,32 @@ TEST(NoiseAttachment, OddSurfaces)
   NoiseAttachment none(0);
   none.kernels(attachable(moved), viewAt(4.0), isotropic(), fresh);
   EXPECT_TRUE(sameKernels(kernels, fresh));
+}
+
+// Kernels that are hidden in a frame come to light in one after the change.
+TEST(NoiseAttachment, HiddenKernelsAreCarried)
+{
+  const std::vector<float> wall(260 * 260, 0.1f);
+  NoiseSurroundings before;
+  before.rectangle = { 0, 0, 260, 260 };
+  before.depth = wall;
+  const NoiseOcclusion hidden(before, static_cast<float>(isotropic().radius));
+  for (const bool controlled : { false, true })
+  {
+    NoiseKernelOptions options = isotropic();
+    if (controlled)
+    {
+      options.control = [](const NoisePoint&) { return NoiseKernelOptions::Control{}; };
+    }
+    std::vector<NoiseKernel> kernels, expected;
+    NoiseAttachment attachment(8), other(8);
+    attachment.kernels(attachable(sphereOf(0)), viewAt(4.0), options, kernels, &hidden);
+    other.kernels(attachable(sphereOf(0)), viewAt(4.0), options, expected);
+    attachment.kernels(attachable(sphereOf(1)), viewAt(4.0), options, kernels);
+    other.kernels(attachable(sphereOf(1)), viewAt(4.0), options, expected);
+    EXPECT_TRUE(sameKernels(kernels, expected)) << controlled;
+    EXPECT_GT(attachment.carriedCount(), 100u);
+  }
 }
 
 TEST(NoiseAttachment, ControlledKernelsKeepTheirOverlap)

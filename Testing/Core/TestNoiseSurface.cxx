@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 using namespace hachure;
 using namespace hachure::testing;
@@ -281,5 +282,55 @@ TEST(NoiseSurface, PanningLeavesTheRestAlone)
   for (const auto& [id, kernel] : before)
   {
     EXPECT_GT(kernel.center.x, 200.0f + 7.99f) << "a kernel that meets the viewport was left out";
+  }
+}
+
+// Single precision must be enough wherever the surface lies and whatever its unit is.
+TEST(NoiseSurface, FarFromTheOriginAndOfAnySize)
+{
+  const Surface sphere = makeNoiseSphere(20);
+  std::vector<std::uint64_t> ids(sphere.triangles.size());
+  std::iota(ids.begin(), ids.end(), 1u);
+  const glm::dvec3 eye(0.0, 0.4, 5.0);
+  NoiseSurface near(sphere.mesh(), ids);
+  std::map<std::uint64_t, NoiseKernel> expected;
+  for (const NoiseKernel& kernel :
+    near.kernels(perspectiveView({ 500, 400 }, eye, { 0, 0, 0 }), smallKernels()))
+  {
+    expected[kernel.id] = kernel;
+  }
+  Surface moved = sphere;
+  const glm::dvec3 far(3e6, -7e6, 1e5);
+  for (glm::dvec3& point : moved.points)
+  {
+    point += far;
+  }
+  NoiseSurface distant(sphere.mesh(), ids);
+  distant.setPositions(moved.points);
+  std::size_t same = 0;
+  for (const NoiseKernel& kernel :
+    distant.kernels(perspectiveView({ 500, 400 }, eye + far, far), smallKernels()))
+  {
+    const auto found = expected.find(kernel.id);
+    same += found != expected.end() ? 1 : 0;
+    EXPECT_TRUE(
+      found == expected.end() || glm::distance(found->second.center, kernel.center) < 0.01f);
+  }
+  EXPECT_NEAR(static_cast<double>(same), static_cast<double>(expected.size()), 5.0);
+
+  for (const double size : { 1e-9, 1e9, 1e24 })
+  {
+    Surface scaled = sphere;
+    for (glm::dvec3& point : scaled.points)
+    {
+      point *= size;
+    }
+    NoiseView view;
+    view.viewportSize = { 500, 400 };
+    view.modelToClip = perspectiveView({ 500, 400 }, eye, { 0, 0, 0 }).modelToClip *
+      glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 / size));
+    NoiseSurface surface(scaled.mesh());
+    const auto kernels = frontKernels(scaled, view, surface.kernels(view, smallKernels()));
+    EXPECT_NEAR(meanOverlap(kernels, { 200, 150 }, { 300, 250 }), 32.0, 3.2) << size;
   }
 }

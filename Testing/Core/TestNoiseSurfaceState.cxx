@@ -4,6 +4,7 @@
 // Kernels do not depend on threads, on memory, or on what was drawn before; their parameters; wrong
 // input.
 
+#include "CallTests.h"
 #include "NoiseScene.h"
 
 #include <gtest/gtest.h>
@@ -27,20 +28,6 @@ constexpr double pi = 3.14159265358979323846;
 NoiseView viewAt(double distance)
 {
   return perspectiveView({ 500, 400 }, { 0.0, 0.3, distance }, { 0, 0, 0 });
-}
-
-template <class Action>
-std::string messageOf(Action&& action)
-{
-  try
-  {
-    action();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
-  return "no error";
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "CallTests.h"
 #include "Core/PatternMetricsCooccurrence.h"
 #include "Core/PatternMetricsImage.h"
 #include "MetricClips.h"
@@ -60,19 +61,6 @@ Move turned(double degrees, double stretch = 1.0, double scale = 1.0)
     p = glm::dvec2(p.x / (scale * stretch), p.y / scale);
     return glm::dvec2(z.x * p.x - z.y * p.y + 31.3, z.y * p.x + z.x * p.y - 17.8);
   };
-}
-
-std::string messageOf(const std::function<void()>& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
-  return "no error";
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 // Wrong clips and their messages.
 
+#include "CallTests.h"
 #include "Core/PatternMetricsFlatness.h"
 #include "Core/PatternMetricsMotion.h"
 #include "Core/PatternMetricsTone.h"
@@ -26,19 +27,6 @@ const float notANumber = std::numeric_limits<float>::quiet_NaN();
 Clip goodClip()
 {
   return planeClip(64, 3, {}, [](int) { return noiseInk(8.0, 1); }, {});
-}
-
-std::string messageOf(const std::function<void()>& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
-  return "no error";
 }
 
 void expectMessage(const PatternClip& clip, const std::string& part)

@@ -3,6 +3,7 @@
 
 // How far patterns slide over the part of the surface that is turned to the eye.
 
+#include "CallTests.h"
 #include "TrackerScene.h"
 
 #include <gtest/gtest.h>
@@ -58,19 +59,6 @@ PatchResidual slideOf(const Spheres& scene, const ProjectedSamples& before,
   }
   result.residual /= result.weight;
   return result;
-}
-
-std::string messageOf(const std::function<void()>& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
-  return "no error";
 }
 
 } // namespace

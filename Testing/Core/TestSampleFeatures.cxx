@@ -3,6 +3,7 @@
 
 // Which samples stand out, and how weights by that hold a pattern on the hills of a landscape.
 
+#include "CallTests.h"
 #include "Core/SampleFeatures.h"
 #include "TrackerScene.h"
 
@@ -113,19 +114,6 @@ double slideOnHills(const Landscape& land, WeightScheme scheme)
     old = now;
   }
   return slid / weight;
-}
-
-std::string messageOf(const std::function<void()>& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
-  return "no error";
 }
 
 } // namespace

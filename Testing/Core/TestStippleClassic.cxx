@@ -3,6 +3,7 @@
 
 // The operators of the paper. Its figure 6 is a flat mesh of 7 vertices: here a hexagon.
 
+#include "CallTests.h"
 #include "Random.h"
 #include "StippleScene.h"
 
@@ -259,15 +260,8 @@ TEST(StippleClassic, ProgressRisesAndCanStop)
 {
   const Surface sphere = unitSphere(40);
   StippleOptions options = classic(60000);
-  double last = 0.0;
-  int calls = 0;
-  options.progress = [&](double fraction)
-  {
-    EXPECT_GE(fraction, last);
-    EXPECT_LE(fraction, 1.0);
-    last = fraction;
-    return ++calls < 8;
-  };
+  StoppingProgress progress{ 8 };
+  options.progress = [&](double fraction) { return progress.report(fraction); };
   EXPECT_TRUE(stippleSurface(sphere.mesh(), options).points.empty());
-  EXPECT_EQ(calls, 8);
+  EXPECT_EQ(progress.calls, 8);
 }

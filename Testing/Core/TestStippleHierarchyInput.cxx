@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "CallTests.h"
 #include "Random.h"
 #include "StippleScene.h"
 
@@ -17,21 +18,7 @@ using namespace hachure;
 namespace
 {
 
-template <class Body>
-std::string messageOf(Body&& body)
-{
-  try
-  {
-    body();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
-  return "no error";
-}
-
-std::string messageOf(const Surface& surface, const StippleOptions& options)
+std::string messageFor(const Surface& surface, const StippleOptions& options)
 {
   return messageOf([&] { stippleSurface(surface.mesh(), options); });
 }
@@ -122,19 +109,19 @@ TEST(StippleHierarchyInput, WrongInputIsNamed)
   Surface quad = unitPlane(1);
   StippleOptions options;
   options.count = -1;
-  EXPECT_NE(messageOf(quad, options).find("count: -1, expected 0 to"), std::string::npos);
+  EXPECT_NE(messageFor(quad, options).find("count: -1, expected 0 to"), std::string::npos);
   options = StippleOptions();
   options.leastMove = std::nan("");
-  EXPECT_NE(messageOf(quad, options).find("leastMove: nan, expected 0 to 0.5"), std::string::npos);
+  EXPECT_NE(messageFor(quad, options).find("leastMove: nan, expected 0 to 0.5"), std::string::npos);
   options = StippleOptions();
   options.mostMove = 0.1;
-  EXPECT_NE(messageOf(quad, options).find("mostMove: 0.1"), std::string::npos);
+  EXPECT_NE(messageFor(quad, options).find("mostMove: 0.1"), std::string::npos);
   options = StippleOptions();
   quad.triangles[1].y = 4;
-  EXPECT_NE(messageOf(quad, options).find("mesh.triangles[1]: corner 4"), std::string::npos);
+  EXPECT_NE(messageFor(quad, options).find("mesh.triangles[1]: corner 4"), std::string::npos);
   quad = unitPlane(1);
   quad.points[2].z = std::numeric_limits<double>::infinity();
-  EXPECT_NE(messageOf(quad, options).find("mesh.points[2]"), std::string::npos);
+  EXPECT_NE(messageFor(quad, options).find("mesh.points[2]"), std::string::npos);
 }
 
 TEST(StippleHierarchyInput, PointsWithoutAMeshAreRanked)
@@ -195,16 +182,9 @@ TEST(StippleHierarchyInput, ProgressRisesAndCanStop)
 {
   const Surface plane = unitPlane(1);
   StippleOptions options = optionsFor(20000);
-  double last = 0.0;
-  int calls = 0;
-  options.progress = [&](double fraction)
-  {
-    EXPECT_GE(fraction, last);
-    EXPECT_LE(fraction, 1.0);
-    last = fraction;
-    return ++calls < 40;
-  };
+  StoppingProgress progress{ 40 };
+  options.progress = [&](double fraction) { return progress.report(fraction); };
   EXPECT_TRUE(stippleSurface(plane.mesh(), options).points.empty());
-  EXPECT_EQ(calls, 40);
-  EXPECT_GT(last, 0.0);
+  EXPECT_EQ(progress.calls, 40);
+  EXPECT_GT(progress.last, 0.0);
 }

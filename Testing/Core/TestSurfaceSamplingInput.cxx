@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "CallTests.h"
 #include "TestSurfaces.h"
 
 #include <gtest/gtest.h>
@@ -107,15 +108,8 @@ TEST(SurfaceSamplingInput, ProgressRisesAndCanStop)
   addGrid(surface, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1);
   SamplingOptions options;
   options.samplesPerPatch = 20000;
-  double last = 0.0;
-  int calls = 0;
-  options.progress = [&](double fraction)
-  {
-    EXPECT_GE(fraction, last);
-    EXPECT_LE(fraction, 1.0);
-    last = fraction;
-    return ++calls < 3;
-  };
+  StoppingProgress progress{ 3 };
+  options.progress = [&](double fraction) { return progress.report(fraction); };
   EXPECT_TRUE(sampleSurface(surface.mesh(), options).triangles.empty());
-  EXPECT_EQ(calls, 3);
+  EXPECT_EQ(progress.calls, 3);
 }

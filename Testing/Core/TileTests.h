@@ -5,6 +5,7 @@
 
 // What holds for every tile.
 
+#include "CallTests.h"
 #include "Core/PatternTile.h"
 
 #include <gtest/gtest.h>
@@ -40,19 +41,6 @@ inline void expectUniform(const PatternTile& tile)
   }
   EXPECT_LT(worst, 0.5 / count);
   EXPECT_GT(*std::min_element(tile.gradient.begin(), tile.gradient.end()), 0.0f);
-}
-
-inline std::string messageOf(const std::function<void()>& action)
-{
-  try
-  {
-    action();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
-  return "no error";
 }
 
 // Mean change of the screen from one row (column) of texels to the next.

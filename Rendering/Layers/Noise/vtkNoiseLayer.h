@@ -199,7 +199,7 @@ public:
 
   ///@{
   /** Octaves of density, doublings of the surface's area in the picture, over which a kernel fades
-   * in; range 0.1 to 4, default 1. No effect on CLASSIC. */
+   * in, evenly; range 0.1 to 4, default 1. No effect on CLASSIC. */
   vtkSetClampMacro(Fade, double, 0.1, 4.0);
   vtkGetMacro(Fade, double);
   ///@}
@@ -223,9 +223,10 @@ public:
    * What trims a kernel (section 3.4). ObjectTest: pixels of other blocks are not drawn to; default
    * on. TriangleTest: nor pixels of other triangles; default off. DepthTest: nor pixels that lie
    * off the kernel's plane, softly; default on. PartialVisibility: a kernel counts by the share of
-   * it that is seen, so that it fades where it is hidden; default on. The first two draw the
-   * surface once more, where it has several blocks or TriangleTest is on; of a translucent one they
-   * take 8 bytes of the graphics card for every triangle instead.
+   * it that is seen, so that it fades where it is hidden, and with less than a tenth it is not
+   * drawn; default on. The first two draw the surface once more, where it has several blocks or
+   * TriangleTest is on; of a translucent one they take 8 bytes of the graphics card for every
+   * triangle instead.
    */
   vtkSetMacro(ObjectTest, bool);
   vtkGetMacro(ObjectTest, bool);

@@ -172,14 +172,18 @@ bool NoiseProjection::misses(const NoiseSphere& sphere) const
     [&](const glm::dvec4& plane) { return at(plane, sphere.center) < -sphere.radius; });
 }
 
-double NoiseProjection::densityBound(const NoiseSphere& sphere, double stretch) const
+double NoiseProjection::magnificationBound(const NoiseSphere& sphere) const
 {
   const double w =
     std::max(at(this->rowW, sphere.center) - sphere.radius * this->rowWLength, this->nearest);
+  return w > 0.0 ? this->normLimit / (w * w) : std::numeric_limits<double>::infinity();
+}
+
+double NoiseProjection::densityBound(const NoiseSphere& sphere, double stretch) const
+{
   const double looseness = 1.0 + 1e-9; // the rounding of the points' own densities
-  const double highest = looseness * stretch * this->normLimit * this->densityPerMagnification *
+  return looseness * stretch * this->magnificationBound(sphere) * this->densityPerMagnification *
     this->highestDensityFactor;
-  return w > 0.0 ? highest / (w * w) : std::numeric_limits<double>::infinity();
 }
 
 bool NoiseProjection::meetsViewport(const glm::vec2& center, double radius) const

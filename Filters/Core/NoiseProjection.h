@@ -36,6 +36,10 @@ public:
   // Whether no kernel of a point in the sphere can meet the viewport.
   bool misses(const NoiseSphere& sphere) const;
 
+  // No surface in the sphere that meets the viewport has a picture of more square pixels per unit
+  // of its area.
+  double magnificationBound(const NoiseSphere& sphere) const;
+
   // No point in the sphere that meets the viewport has a higher density than this.
   double densityBound(const NoiseSphere& sphere, double stretch) const;
 

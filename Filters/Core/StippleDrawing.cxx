@@ -1,0 +1,354 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StippleDrawing.h"
+
+#include "FloatLanes.h"
+#include "StippleTone.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace hachure
+{
+
+namespace
+{
+
+constexpr std::size_t tonesOfAll = 256;
+// Cosines of the angle of sight for which crowds are known, from the least to 1.
+constexpr std::size_t facingCount = 39;
+constexpr float leastFacing = 0.05f;
+constexpr float facingStep = (1.0f - leastFacing) / (facingCount - 1);
+constexpr float leastRadius = 0.03f; // pixels: less than a quarter of a place of the canvas
+constexpr float leastNumber = 1e-30f;
+
+void require(bool isGood, const char* name, double value, const char* expected)
+{
+  if (!isGood || !std::isfinite(value))
+  {
+    std::string message(name);
+    message.append(" is ").append(std::to_string(value)).append(", expected ").append(expected);
+    throw std::invalid_argument(message);
+  }
+}
+
+NoiseKernelOptions reachOf(const StippleLook& look)
+{
+  require(look.diameter > 0.0f, "look.diameter", look.diameter, "more than 0");
+  require(look.growth > 0.0f, "look.growth", look.growth, "more than 0");
+  NoiseKernelOptions options;
+  options.radius = 0.5 * look.diameter;
+  return options;
+}
+
+double largestOf(const glm::dvec4& row)
+{
+  const glm::dvec4 size = glm::abs(row);
+  return std::max(std::max(size.x, size.y), std::max(size.z, size.w));
+}
+
+double at(const glm::dvec4& row, const glm::dvec3& point)
+{
+  return glm::dot(glm::dvec3(row), point) + row.w;
+}
+
+HACHURE_INLINED FloatLanes alongLanes(
+  const glm::vec4& row, const FloatLanes& x, const FloatLanes& y, const FloatLanes& z)
+{
+  return x * row.x + y * row.y + (z * row.z + row.w);
+}
+
+} // namespace
+
+// Of the matrix to clip space, for places from an origin. The picture of a small piece of surface
+// of normal n at p is n . (toViewer + turn p) / w^3 large, where the vector points to the viewer:
+// see SampleProjection.
+struct StippleDrawing::Rows
+{
+  glm::vec4 x, y, z, w;
+  glm::vec3 toViewer;
+  float turn;
+};
+
+// Of a stipple in the picture.
+struct StippleDrawing::Place
+{
+  float x, y, depth;
+  glm::vec2 slope; // of depth
+  float tolerance;
+};
+
+StippleDrawing::StippleDrawing(const StippleScene& someScene, const StippleLook& someLook)
+  : scene(someScene)
+  , look(someLook)
+  , reach(reachOf(someLook))
+  , projection(someScene.view, this->reach)
+{
+  checkNoiseView(this->scene.view);
+  const std::array<int, 4>& part = this->scene.rectangle;
+  require(part[2] >= 0, "scene.rectangle[2]", part[2], "0 or more");
+  require(part[3] >= 0, "scene.rectangle[3]", part[3], "0 or more");
+  require(this->scene.toneStride >= 1, "scene.toneStride", this->scene.toneStride, "1 or more");
+  const std::size_t pixels = static_cast<std::size_t>(part[2]) * static_cast<std::size_t>(part[3]);
+  require(this->scene.depth.empty() || this->scene.depth.size() == pixels, "scene.depth.size()",
+    static_cast<double>(this->scene.depth.size()), "one for every pixel, or none");
+  require(this->scene.tones.empty() ||
+      this->scene.tones.size() + static_cast<std::size_t>(this->scene.toneStride) >
+        pixels * static_cast<std::size_t>(this->scene.toneStride),
+    "scene.tones.size()", static_cast<double>(this->scene.tones.size()),
+    "one for every pixel, or none");
+
+  const glm::dmat4 rows = glm::transpose(this->scene.view.modelToClip);
+  const glm::dvec2 half = 0.5 * this->scene.view.viewportSize;
+  const glm::dvec2 middle = this->scene.view.viewportOrigin + half - glm::dvec2(part[0], part[1]);
+  this->rowX = half.x * rows[0] + middle.x * rows[3];
+  this->rowY = half.y * rows[1] + middle.y * rows[3];
+  this->rowZ = rows[2];
+  this->rowW = rows[3];
+  const glm::dvec3 x(this->rowX), y(this->rowY), w(this->rowW);
+  const double volume = glm::dot(x, glm::cross(y, w));
+  const glm::dvec3 parallel = this->rowW.w * glm::cross(x, y) + this->rowX.w * glm::cross(y, w) +
+    this->rowY.w * glm::cross(w, x);
+  const bool isPerspective = glm::dot(w, w) > 0.0;
+  const bool away = isPerspective ? volume > 0.0 : glm::dot(glm::dvec3(this->rowZ), parallel) > 0.0;
+  this->towardViewer = away ? -1.0 : 1.0;
+  this->tabulateCrowds();
+}
+
+StippleDrawing::Rows StippleDrawing::rowsAt(const glm::dvec3& origin) const
+{
+  glm::dvec4 x(glm::dvec3(this->rowX), at(this->rowX, origin));
+  glm::dvec4 y(glm::dvec3(this->rowY), at(this->rowY, origin));
+  glm::dvec4 z(glm::dvec3(this->rowZ), at(this->rowZ, origin));
+  glm::dvec4 w(glm::dvec3(this->rowW), at(this->rowW, origin));
+  // Cubes of lengths of any unit would not fit into single precision; all that counts are
+  // quotients.
+  const double scale = 1.0 / std::max({ largestOf(x), largestOf(y), largestOf(w), 1e-300 });
+  x *= scale;
+  y *= scale;
+  z *= scale;
+  w *= scale;
+  Rows rows;
+  rows.x = glm::vec4(x);
+  rows.y = glm::vec4(y);
+  rows.z = glm::vec4(z);
+  rows.w = glm::vec4(w);
+  const glm::dvec3 yw = glm::cross(glm::dvec3(y), glm::dvec3(w));
+  const glm::dvec3 wx = glm::cross(glm::dvec3(w), glm::dvec3(x));
+  const glm::dvec3 xy = glm::cross(glm::dvec3(x), glm::dvec3(y));
+  rows.toViewer = this->towardViewer * (w.w * xy + x.w * yw + y.w * wx);
+  rows.turn = static_cast<float>(this->towardViewer * glm::dot(glm::dvec3(x), yw));
+  return rows;
+}
+
+void StippleDrawing::tabulateCrowds()
+{
+  const bool even = this->scene.tones.empty();
+  this->darkest = even ? 0
+                       : static_cast<std::size_t>(
+                           std::max_element(this->scene.toneOf.begin(), this->scene.toneOf.end()) -
+                           this->scene.toneOf.begin());
+  const float perPixel = 1.0f / (this->look.diameter * this->look.diameter);
+  this->crowds.resize(tonesOfAll * facingCount);
+  for (std::size_t tone = 0; tone < (even ? 1 : tonesOfAll); ++tone)
+  {
+    const float ink = std::clamp(this->scene.toneOf[tone], 0.0f, 1.0f);
+    for (std::size_t i = 0; i < facingCount; ++i)
+    {
+      const float facing = leastFacing + static_cast<float>(i) * facingStep;
+      this->crowds[tone * facingCount + i] =
+        ink > 0.0f ? perPixel * stippleCrowd(ink, facing, this->look.growth) : 0.0f;
+    }
+  }
+}
+
+float StippleDrawing::crowdAt(std::size_t tone, float facing) const
+{
+  constexpr auto last = static_cast<float>(facingCount - 1);
+  const float place = std::clamp((facing - leastFacing) / facingStep, 0.0f, last);
+  const auto first = std::min(static_cast<std::size_t>(place), facingCount - 2);
+  const float* const entries = this->crowds.data() + tone * facingCount + first;
+  return entries[0] + (place - static_cast<float>(first)) * (entries[1] - entries[0]);
+}
+
+double StippleDrawing::mostWanted(const NoiseSphere& sphere) const
+{
+  if (this->projection.misses(sphere))
+  {
+    return 0.0;
+  }
+  // The crowd times the facing, of which the picture's area is a multiple, is most where it is 1.
+  const float crowd = this->crowdAt(this->darkest, 1.0f);
+  return crowd > 0.0f ? crowd * this->projection.magnificationBound(sphere) : 0.0;
+}
+
+// Bits of those out of eight that may be wanted.
+HACHURE_WIDE_CLONES std::uint32_t StippleDrawing::candidates(
+  const Rows& rows, const StippleBlock& block, std::int32_t first) const
+{
+  const FloatLanes x = loadLanes(block.x + first), y = loadLanes(block.y + first);
+  const FloatLanes z = loadLanes(block.z + first);
+  const FloatLanes viewX = x * rows.turn + rows.toViewer.x;
+  const FloatLanes viewY = y * rows.turn + rows.toViewer.y;
+  const FloatLanes viewZ = z * rows.turn + rows.toViewer.z;
+  const FloatLanes area = magnitudeLanes(viewX * loadLanes(block.normalX + first) +
+    viewY * loadLanes(block.normalY + first) + viewZ * loadLanes(block.normalZ + first));
+  const FloatLanes facing =
+    area / (rootLanes(viewX * viewX + viewY * viewY + viewZ * viewZ) + leastNumber);
+  // Crowds fall with the facing ever more slowly: between two facings they are below the line.
+  constexpr std::size_t middle = facingCount / 4;
+  constexpr float middleFacing = leastFacing + middle * facingStep;
+  const float* const darkestCrowds = this->crowds.data() + this->darkest * facingCount;
+  const float slopeBelow =
+    (darkestCrowds[middle] - darkestCrowds[0]) / (middleFacing - leastFacing);
+  const float slopeAbove =
+    (darkestCrowds[facingCount - 1] - darkestCrowds[middle]) / (1.0f - middleFacing);
+  const FloatLanes beyond = facing - middleFacing;
+  const FloatLanes crowd =
+    higherLanes(beyond * slopeBelow, beyond * slopeAbove) + darkestCrowds[middle];
+  const FloatLanes w = alongLanes(rows.w, x, y, z);
+  // wanted * w^3 - density * w^3; infinite densities fail, as does what is behind the eye.
+  const FloatLanes rest = crowd * area - loadLanes(block.density + first) * (w * w * w);
+  const FloatLanes column = alongLanes(rows.x, x, y, z), row = alongLanes(rows.y, x, y, z);
+  const auto margin = 0.5f * this->look.diameter;
+  const FloatLanes right = w * (static_cast<float>(this->scene.rectangle[2]) + margin) - column;
+  const FloatLanes top = w * (static_cast<float>(this->scene.rectangle[3]) + margin) - row;
+  const FloatLanes inside = lowerLanes(
+    lowerLanes(column + w * margin, row + w * margin), lowerLanes(lowerLanes(right, top), w));
+  std::uint32_t bits = 0;
+  for (int lane = 0; lane < floatLanes; ++lane)
+  {
+    bits |= (rest[lane] > 0.0f && inside[lane] > 0.0f ? 1u : 0u) << lane;
+  }
+  return bits;
+}
+
+std::size_t StippleDrawing::toneAt(float x, float y) const
+{
+  if (this->scene.tones.empty())
+  {
+    return 0;
+  }
+  const std::array<int, 4>& part = this->scene.rectangle;
+  const int column = std::clamp(static_cast<int>(std::floor(x)), 0, part[2] - 1);
+  const int row = std::clamp(static_cast<int>(std::floor(y)), 0, part[3] - 1);
+  const std::size_t pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(part[2]) +
+    static_cast<std::size_t>(column);
+  return this->scene.tones[pixel * static_cast<std::size_t>(this->scene.toneStride)];
+}
+
+// Whether something is in front of the stipple's plane at a pixel.
+bool StippleDrawing::isHiddenAt(int column, int row, const Place& place) const
+{
+  const std::array<int, 4>& part = this->scene.rectangle;
+  const int inColumn = std::clamp(column, 0, part[2] - 1);
+  const int inRow = std::clamp(row, 0, part[3] - 1);
+  const float seen =
+    this->scene.depth[static_cast<std::size_t>(inRow) * static_cast<std::size_t>(part[2]) +
+      static_cast<std::size_t>(inColumn)];
+  const float own = place.depth + place.slope.x * (static_cast<float>(inColumn) + 0.5f - place.x) +
+    place.slope.y * (static_cast<float>(inRow) + 0.5f - place.y);
+  return own > seen + place.tolerance;
+}
+
+// Of the four pixels around the stipple, as near as they are: where an edge passes over it, it
+// shrinks instead of going out at once.
+float StippleDrawing::visibleShare(const Place& place) const
+{
+  if (this->scene.depth.empty())
+  {
+    return 1.0f;
+  }
+  const float left = std::floor(place.x - 0.5f), bottom = std::floor(place.y - 0.5f);
+  const float right = place.x - 0.5f - left, above = place.y - 0.5f - bottom;
+  const int column = static_cast<int>(left), row = static_cast<int>(bottom);
+  float share = 1.0f;
+  share -= this->isHiddenAt(column, row, place) ? (1.0f - right) * (1.0f - above) : 0.0f;
+  share -= this->isHiddenAt(column + 1, row, place) ? right * (1.0f - above) : 0.0f;
+  share -= this->isHiddenAt(column, row + 1, place) ? (1.0f - right) * above : 0.0f;
+  share -= this->isHiddenAt(column + 1, row + 1, place) ? right * above : 0.0f;
+  return share;
+}
+
+bool StippleDrawing::finish(
+  const Rows& rows, const StippleBlock& block, std::int32_t index, DrawnStipple& stipple) const
+{
+  const glm::vec3 from(block.x[index], block.y[index], block.z[index]);
+  const glm::vec3 normal(block.normalX[index], block.normalY[index], block.normalZ[index]);
+  const glm::vec3 view = rows.toViewer + rows.turn * from;
+  const float area = glm::dot(view, normal);
+  if (!(area > 0.0f ? block.fronts : block.backs))
+  {
+    return false;
+  }
+  const float w = glm::dot(glm::vec3(rows.w), from) + rows.w.w;
+  const float z = (glm::dot(glm::vec3(rows.z), from) + rows.z.w) / w;
+  if (!(std::abs(z) <= 1.0f))
+  {
+    return false;
+  }
+  Place place;
+  place.x = (glm::dot(glm::vec3(rows.x), from) + rows.x.w) / w;
+  place.y = (glm::dot(glm::vec3(rows.y), from) + rows.y.w) / w;
+  const float facing = std::abs(area) / (glm::length(view) + leastNumber);
+  const std::size_t tone = this->toneAt(place.x, place.y);
+  float crowd = this->crowdAt(tone, facing);
+  float diameter = this->look.diameter;
+  if (this->look.toneBySize)
+  {
+    const float most = this->crowdAt(this->darkest, facing);
+    diameter *= most > 0.0f ? std::sqrt(crowd / most) : 0.0f;
+    crowd = crowd > 0.0f ? most : 0.0f;
+  }
+  // Where there are not enough stipples, they are larger: the same picture, magnified.
+  const float perPixel = w * w * w / std::abs(area); // area of surface
+  const float most = block.held * perPixel;
+  if (crowd > most)
+  {
+    diameter *= std::sqrt(crowd / most);
+    crowd = most;
+  }
+  const float grown = stippleGrowth(crowd / (block.density[index] * perPixel), this->look.growth);
+  if (!(0.5f * diameter * grown > leastRadius))
+  {
+    return false;
+  }
+  // Depth on the stipple's plane: n.p is constant there.
+  const glm::vec3 axisX = glm::vec3(rows.x) - place.x * glm::vec3(rows.w);
+  const glm::vec3 axisY = glm::vec3(rows.y) - place.y * glm::vec3(rows.w);
+  const glm::vec3 axisZ = glm::vec3(rows.z) - z * glm::vec3(rows.w);
+  const float volume = glm::dot(normal, glm::cross(axisX, axisY));
+  const float inverse = volume != 0.0f ? 1.0f / volume : 0.0f;
+  place.slope.x = 0.5f * inverse * glm::dot(normal, glm::cross(axisZ, axisY));
+  place.slope.y = 0.5f * inverse * glm::dot(normal, glm::cross(axisX, axisZ));
+  place.depth = 0.5f * z + 0.5f;
+  place.tolerance =
+    this->scene.depthPerPixel + 0.5f * (std::abs(place.slope.x) + std::abs(place.slope.y));
+  const float radius = 0.5f * diameter * grown * this->visibleShare(place);
+  stipple = { { place.x, place.y, radius }, index };
+  return radius > leastRadius;
+}
+
+void StippleDrawing::draw(const StippleBlock& block, std::vector<DrawnStipple>& drawn) const
+{
+  const Rows rows = this->rowsAt(block.origin);
+  DrawnStipple stipple;
+  for (std::int32_t first = 0; first < block.count; first += floatLanes)
+  {
+    std::uint32_t bits = this->candidates(rows, block, first);
+    for (std::int32_t lane = 0; bits != 0; ++lane, bits >>= 1)
+    {
+      if ((bits & 1u) != 0 && this->finish(rows, block, first + lane, stipple))
+      {
+        drawn.push_back(stipple);
+      }
+    }
+  }
+}
+
+} // namespace hachure

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hachure_StippleTone_h
+#define hachure_StippleTone_h
+
+// How many stipples of which size make a tone. A stipple comes in where the picture's stipples are
+// wanted as dense as the first of them up to it are, and grows as more are wanted (Meruvia Pastor
+// and Strothotte 2002, section 2.5, with a size that depends on the picture alone).
+namespace hachure
+{
+
+// Area of all discs over that of the picture, overlaps counted as often as they are there, which
+// covers `tone` of it, both 0 to 1: measured with progressive stipples, for surfaces that are seen
+// at an angle of this cosine, in which they crowd in one direction. Tone 1 is all covered.
+// Independent of the size of discs and, within .01, of their growth.
+float stippleDiscArea(float tone, float facing);
+
+// Diameter over that of a grown disc, 0 to 1, where the picture wants `wanted` times the density at
+// which the stipple comes in: at 1 it has none, and is grown where the distances of stipples, the
+// roots of densities, have shrunk by 1 + growth. growth: > 0.
+float stippleGrowth(float wanted, float growth);
+
+// Mean area of the discs at any density over that of grown ones.
+float stippleMeanArea(float growth);
+
+// Stipples per square of a grown disc's diameter that make the tone.
+float stippleCrowd(float tone, float facing, float growth);
+
+} // namespace hachure
+
+#endif

@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CallTests.h"
+#include "StippleBlocks.h"
+
+#include "StippleCanvas.h"
+#include "StippleTone.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+using namespace hachure;
+
+namespace
+{
+
+constexpr int side = 360; // pixels of the picture
+
+// A plane from 0 to 1 that is looked at from straight above, `pixels` wide, turned away by an
+// angle.
+struct PlanePicture
+{
+  explicit PlanePicture(std::int64_t count)
+    : plane(unitPlane(1))
+  {
+    StippleOptions options;
+    options.count = count;
+    hierarchy = stippleSurface(plane.mesh(), options);
+    points = std::make_unique<HierarchyBlock>(plane.mesh(), hierarchy);
+  }
+
+  static StippleScene scene(double pixels, double tilt, float tone)
+  {
+    StippleScene scene;
+    const glm::dmat4 center = glm::translate(glm::dmat4(1.0), glm::dvec3(-0.5, -0.5, 0.0));
+    const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), tilt, glm::dvec3(1.0, 0.0, 0.0));
+    const double half = 0.5 * side / pixels;
+    scene.view.modelToClip = glm::ortho(-half, half, -half, half, -2.0, 2.0) * turn * center;
+    scene.view.viewportSize = glm::dvec2(side);
+    scene.rectangle = { 0, 0, side, side };
+    scene.toneOf.fill(tone);
+    return scene;
+  }
+
+  std::vector<DrawnStipple> draw(const StippleScene& scene, const StippleLook& look) const
+  {
+    std::vector<DrawnStipple> drawn;
+    StippleDrawing(scene, look).draw(points->block(), drawn);
+    return drawn;
+  }
+
+  Surface plane;
+  StippleHierarchy hierarchy;
+  std::unique_ptr<HierarchyBlock> points;
+};
+
+// Of the middle of the picture, which a plane of `height` pixels fills.
+double inkOf(const std::vector<DrawnStipple>& drawn, double height)
+{
+  std::vector<StippleDisc> discs;
+  discs.reserve(drawn.size());
+  for (const DrawnStipple& stipple : drawn)
+  {
+    discs.push_back(stipple.disc);
+  }
+  StippleCanvas canvas;
+  std::vector<std::uint8_t> covered;
+  canvas.draw(discs, side, side, covered);
+  const int columns = side / 2 - 20,
+            rows = static_cast<int>(0.5 * std::min<double>(side, height)) - 15;
+  double sum = 0.0;
+  for (int row = side / 2 - rows; row < side / 2 + rows; ++row)
+  {
+    for (int column = side / 2 - columns; column < side / 2 + columns; ++column)
+    {
+      sum += covered[static_cast<std::size_t>(row) * side + static_cast<std::size_t>(column)];
+    }
+  }
+  return sum / (4.0 * rows * columns * StippleCanvas::samplesPerPixel);
+}
+
+const PlanePicture& manyStipples()
+{
+  static const PlanePicture picture(40000);
+  return picture;
+}
+
+} // namespace
+
+TEST(StippleDrawing, InkIsTheTone)
+{
+  for (const bool bySize : { false, true })
+  {
+    for (const float diameter : { 1.7f, 2.4f, 6.0f })
+    {
+      for (const float tone : { 0.05f, 0.1f, 0.25f, 0.5f, 0.75f, 0.9f })
+      {
+        StippleLook look;
+        look.diameter = diameter;
+        look.toneBySize = bySize;
+        const auto drawn = manyStipples().draw(PlanePicture::scene(side, 0.0, tone), look);
+        EXPECT_NEAR(inkOf(drawn, side), tone, 0.012) << diameter << " by size: " << bySize;
+      }
+    }
+  }
+}
+
+TEST(StippleDrawing, InkIsTheToneOfTiltedSurfaces)
+{
+  for (const double facing : { 0.8, 0.5, 0.25 })
+  {
+    for (const float tone : { 0.1f, 0.3f, 0.6f, 0.85f })
+    {
+      const auto drawn =
+        manyStipples().draw(PlanePicture::scene(side, std::acos(facing), tone), StippleLook());
+      EXPECT_NEAR(inkOf(drawn, side * facing), tone, 0.015) << facing;
+    }
+  }
+}
+
+TEST(StippleDrawing, InkIsTheToneForAnyGrowth)
+{
+  for (const float growth : { 0.05f, 0.5f, 1.0f })
+  {
+    StippleLook look;
+    look.growth = growth;
+    const auto drawn = manyStipples().draw(PlanePicture::scene(side, 0.0, 0.6f), look);
+    EXPECT_NEAR(inkOf(drawn, side), 0.6, 0.015) << growth;
+  }
+}
+
+TEST(StippleDrawing, WhereStipplesRunOutTheyGrow)
+{
+  const PlanePicture few(3000);
+  for (const float tone : { 0.2f, 0.5f, 0.8f })
+  {
+    const auto drawn = few.draw(PlanePicture::scene(side, 0.0, tone), StippleLook());
+    EXPECT_NEAR(inkOf(drawn, side), tone, 0.02);
+  }
+}
+
+TEST(StippleDrawing, ZoomingInAndDarkeningOnlyAdd)
+{
+  const StippleLook look;
+  std::vector<DrawnStipple> before;
+  for (int step = 0; step < 12; ++step)
+  {
+    const float tone = 0.2f + 0.02f * static_cast<float>(step);
+    const double pixels = 200.0 * std::pow(1.03, step);
+    const auto drawn = manyStipples().draw(PlanePicture::scene(pixels, 0.0, tone), look);
+    std::size_t k = 0;
+    for (const DrawnStipple& old : before)
+    {
+      while (k < drawn.size() && drawn[k].index < old.index)
+      {
+        ++k;
+      }
+      ASSERT_LT(k, drawn.size());
+      ASSERT_EQ(drawn[k].index, old.index);
+      EXPECT_GE(drawn[k].disc.radius, old.disc.radius - 1e-4f);
+    }
+    EXPECT_GT(drawn.size(), before.size());
+    before = drawn;
+  }
+}
+
+TEST(StippleDrawing, StipplesStayOnTheirSurface)
+{
+  const StippleScene scene = PlanePicture::scene(431.0, 0.7, 0.3f);
+  for (const DrawnStipple& stipple : manyStipples().draw(scene, StippleLook()))
+  {
+    const glm::dvec3 place = stipplePosition(manyStipples().plane.mesh(),
+      manyStipples().hierarchy.points[static_cast<std::size_t>(stipple.index)]);
+    const glm::dvec4 clip = scene.view.modelToClip * glm::dvec4(place, 1.0);
+    EXPECT_NEAR(stipple.disc.x, (0.5 * clip.x / clip.w + 0.5) * side, 1e-3);
+    EXPECT_NEAR(stipple.disc.y, (0.5 * clip.y / clip.w + 0.5) * side, 1e-3);
+  }
+}
+
+TEST(StippleDrawing, HiddenStipplesAreNotDrawn)
+{
+  StippleScene scene = PlanePicture::scene(side, 0.0, 0.4f);
+  std::vector<float> depth(static_cast<std::size_t>(side) * side, 0.5f); // of the plane
+  for (std::size_t i = 0; i < depth.size(); ++i)
+  {
+    depth[i] = i % side < side / 2 ? 0.4f : 0.5f; // something is in front of its left half
+  }
+  scene.depth = depth;
+  const auto drawn = manyStipples().draw(scene, StippleLook());
+  EXPECT_GT(drawn.size(), 1000u);
+  for (const DrawnStipple& stipple : drawn)
+  {
+    EXPECT_GT(stipple.disc.x, 0.5f * side - 0.5f);
+    // Beyond half a pixel from the edge nothing has shrunk.
+    const bool near = stipple.disc.x < 0.5f * side + 0.5f;
+    EXPECT_LE(stipple.disc.radius, near ? 1.2f * (stipple.disc.x - 0.5f * side + 0.5f) + 1e-4f : 1.2f);
+  }
+}
+
+TEST(StippleDrawing, SidesAreToldApart)
+{
+  StippleBlock block = manyStipples().points->block();
+  std::vector<DrawnStipple> drawn;
+  block.backs = false;
+  const StippleScene front = PlanePicture::scene(side, 0.0, 0.4f);
+  StippleDrawing(front, {}).draw(block, drawn);
+  EXPECT_GT(drawn.size(), 1000u);
+  drawn.clear();
+  const StippleScene behind = PlanePicture::scene(side, 3.0, 0.4f);
+  StippleDrawing(behind, {}).draw(block, drawn);
+  EXPECT_TRUE(drawn.empty());
+  // The same for an eye.
+  StippleScene eye = front;
+  eye.view.modelToClip = glm::perspective(0.5, 1.0, 0.1, 10.0) *
+    glm::lookAt(glm::dvec3(0.5, 0.5, 2.0), glm::dvec3(0.5, 0.5, 0.0), glm::dvec3(0.0, 1.0, 0.0));
+  StippleDrawing(eye, {}).draw(block, drawn);
+  EXPECT_GT(drawn.size(), 1000u);
+  drawn.clear();
+  eye.view.modelToClip = glm::perspective(0.5, 1.0, 0.1, 10.0) *
+    glm::lookAt(glm::dvec3(0.5, 0.5, -2.0), glm::dvec3(0.5, 0.5, 0.0), glm::dvec3(0.0, 1.0, 0.0));
+  StippleDrawing(eye, {}).draw(block, drawn);
+  EXPECT_TRUE(drawn.empty());
+}
+
+TEST(StippleDrawing, NothingWantsMoreThanTheBound)
+{
+  const StippleScene scene = PlanePicture::scene(side, 0.6, 0.7f);
+  const StippleLook look;
+  const StippleDrawing drawing(scene, look);
+  const double most = drawing.mostWanted({ glm::dvec3(0.5, 0.5, 0.0), 0.75 });
+  const double facing = std::cos(0.6);
+  const double wanted = stippleCrowd(0.7f, static_cast<float>(facing), look.growth) * facing *
+    side * side / (look.diameter * look.diameter);
+  EXPECT_GE(most, wanted);
+  EXPECT_LT(most, 2.0 * wanted);
+  EXPECT_EQ(drawing.mostWanted({ glm::dvec3(5.0, 0.5, 0.0), 0.75 }), 0.0);
+}
+
+TEST(StippleDrawing, WrongScenesAreRefused)
+{
+  const auto refusal = [](StippleScene scene, StippleLook look)
+  { return messageOf([&] { StippleDrawing(scene, look); }); };
+  const StippleScene good = PlanePicture::scene(side, 0.0, 0.4f);
+  StippleLook look;
+  look.diameter = 0.0f;
+  EXPECT_NE(refusal(good, look).find("look.diameter is 0"), std::string::npos);
+  look = StippleLook();
+  look.growth = -1.0f;
+  EXPECT_NE(refusal(good, look).find("look.growth is -1"), std::string::npos);
+  StippleScene scene = good;
+  const std::vector<float> depth(7, 1.0f);
+  scene.depth = depth;
+  EXPECT_NE(refusal(scene, {}).find("scene.depth.size() is 7"), std::string::npos);
+  scene = good;
+  const std::vector<std::uint8_t> tones(7, 1);
+  scene.tones = tones;
+  EXPECT_NE(refusal(scene, {}).find("scene.tones.size() is 7"), std::string::npos);
+  scene = good;
+  scene.view.modelToClip[1][1] = std::nan("");
+  EXPECT_NE(refusal(scene, {}).find("modelToClip"), std::string::npos);
+}
+
+TEST(StippleCanvas, DiscsCoverTheirArea)
+{
+  StippleCanvas canvas;
+  std::vector<std::uint8_t> covered;
+  constexpr double pi = 3.14159265358979;
+  for (const float radius : { 0.3f, 1.2f, 7.0f, 40.0f })
+  {
+    double sum = 0.0;
+    for (int i = 0; i < 50; ++i)
+    {
+      const auto step = static_cast<float>(i);
+      canvas.draw(
+        std::vector<StippleDisc>{ { 50.0f + 0.137f * step, 50.0f + 0.073f * step, radius } }, 110,
+        103, covered);
+      for (const std::uint8_t places : covered)
+      {
+        ASSERT_LE(places, StippleCanvas::samplesPerPixel);
+        sum += places;
+      }
+    }
+    sum /= 50.0 * StippleCanvas::samplesPerPixel;
+    EXPECT_NEAR(sum, pi * radius * radius, 0.01 * pi * radius * radius) << radius;
+  }
+}
+
+TEST(StippleCanvas, OverlapsCountOnceAndOddDiscsDoNothing)
+{
+  StippleCanvas canvas;
+  std::vector<std::uint8_t> one, two;
+  const StippleDisc disc = { 10.3f, 11.1f, 4.0f };
+  canvas.draw(std::vector<StippleDisc>{ disc }, 33, 20, one);
+  const float infinite = std::numeric_limits<float>::infinity();
+  const std::vector<StippleDisc> more = { disc, disc, { 10.3f, 11.1f, 3.0f },
+    { std::nanf(""), 3.0f, 2.0f }, { 3.0f, infinite, 2.0f }, { 3.0f, 3.0f, 0.0f },
+    { 3.0f, 3.0f, -1.0f }, { -1e9f, 5.0f, 2.0f }, { 5.0f, 1e9f, 2.0f } };
+  canvas.draw(more, 33, 20, two);
+  EXPECT_EQ(one, two);
+  canvas.draw(std::vector<StippleDisc>{ { 0.0f, 0.0f, 1e6f } }, 33, 20, two);
+  EXPECT_EQ(two, std::vector<std::uint8_t>(33u * 20u, 64));
+  canvas.draw(more, 0, 0, two);
+  EXPECT_TRUE(two.empty());
+}

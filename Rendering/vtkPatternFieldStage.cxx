@@ -3,7 +3,7 @@
 #include "vtkPatternFieldStage.h"
 
 #include "vtkPatternCompositor.h"
-#include "vtkPatternNoiseSurface.h"
+#include "vtkPatternSurface.h"
 #include "vtkPatternTriangleIds.h"
 #include "vtkPatternWindowResources.h"
 

@@ -20,14 +20,14 @@
 class vtkOpenGLRenderWindow;
 class vtkPatternCompositor;
 class vtkPatternNoiseHistory;
-class vtkPatternNoiseSurface;
+class vtkPatternSurface;
 class vtkPatternWindowResources;
 
 struct vtkPatternFieldStage
 {
   vtkOpenGLRenderWindow* Window;
   vtkPatternWindowResources& Resources; // the attribute images of the surface
-  vtkPatternNoiseSurface& Surface;
+  vtkPatternSurface& Surface;
   vtkPatternNoiseHistory* History; // null: nothing is remembered
   bool LookOn;                     // what is remembered stays
   glm::dmat4 ModelToClip;

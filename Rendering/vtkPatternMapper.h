@@ -235,7 +235,7 @@ public:
   bool GetUsesTextureCoordinates() const;
   /// Whether there are buffers of what tells blocks and triangles apart.
   bool GetUsesPrimitiveIds() const;
-  /// See vtkPatternNoiseSurface.
+  /// See vtkPatternSurface.
   void AppendPrimitiveIds(
     vtkPolyData* block, const std::vector<vtkIdType>& cells, std::vector<float>& ids);
   std::vector<hachure::PatternFrame> AnchoredFrames(const hachure::TrackedSamples& samples,
@@ -273,7 +273,7 @@ private:
   void PeelTones(Drawing& drawing);
   void UploadPatchRecords(Drawing& drawing);
   class vtkPatternNoiseHistory* NoiseHistory(Drawing& drawing);
-  void UpdateNoiseSurface();
+  void UpdateSurface();
   bool DrawFields(Drawing& drawing, const glm::dmat4& modelToClip, bool forward);
   bool HasRemainder(vtkActor* actor);
   std::array<double, 3> GetNanColor();

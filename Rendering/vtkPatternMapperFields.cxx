@@ -17,7 +17,7 @@
 
 void vtkPatternMapper::UpdatePrimitiveIds(bool needed)
 {
-  const unsigned long cells = this->Internal->NoiseSurface.GetCellVersion();
+  const unsigned long cells = this->Internal->Surface.GetCellVersion();
   if (needed && (!this->Internal->UsesPrimitiveIds || this->Internal->IdentifiedCells != cells))
   {
     this->Internal->UsesPrimitiveIds = true;
@@ -32,11 +32,11 @@ bool vtkPatternMapper::GetUsesPrimitiveIds() const
   return this->Internal->UsesPrimitiveIds;
 }
 
-void vtkPatternMapper::UpdateNoiseSurface()
+void vtkPatternMapper::UpdateSurface()
 {
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   vtkAlgorithm* origin = this->InputOrigin;
-  this->Internal->NoiseSurface.Update(input,
+  this->Internal->Surface.Update(input,
     { origin ? origin : this->GetInputAlgorithm(), this->GetInputConnection(0, 0)->GetIndex(),
       vtkPatternViewContext::DataTimeOf(input), this->AnimationTime });
 }
@@ -46,13 +46,13 @@ void vtkPatternMapper::AppendPrimitiveIds(
 {
   try
   {
-    this->UpdateNoiseSurface();
+    this->UpdateSurface();
   }
   catch (const std::exception&)
   {
     // Reported where the noise is drawn; the surface is empty.
   }
-  this->Internal->NoiseSurface.AppendPrimitiveIds(block, cells, ids);
+  this->Internal->Surface.AppendPrimitiveIds(block, cells, ids);
 }
 
 // Of the object in this renderer; null for stand-ins of lower detail and anchored patterns.
@@ -93,11 +93,11 @@ bool vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToCli
   }
   try
   {
-    this->UpdateNoiseSurface();
+    this->UpdateSurface();
     const vtkPatternFieldStage stage = { drawing.Window, *drawing.Part.Resources,
-      this->Internal->NoiseSurface, this->NoiseHistory(drawing), drawing.Viewport.IsTile,
-      modelToClip, drawing.Viewport.Drawn, drawing.Rectangle, { center[0], center[1], center[2] },
-      backEnd, vtkPatternViewContext::Get(drawing.Renderer)->GetFrameNumber(),
+      this->Internal->Surface, this->NoiseHistory(drawing), drawing.Viewport.IsTile, modelToClip,
+      drawing.Viewport.Drawn, drawing.Rectangle, { center[0], center[1], center[2] }, backEnd,
+      vtkPatternViewContext::Get(drawing.Renderer)->GetFrameNumber(),
       [&]() -> const std::vector<vtkPatternTonePeel::Image>&
       {
         this->PeelTones(drawing);

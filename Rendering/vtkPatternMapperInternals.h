@@ -8,11 +8,11 @@
 #include "vtkPatternCompositor.h"
 #include "vtkPatternLights.h"
 #include "vtkPatternMapper.h"
-#include "vtkPatternNoiseSurface.h"
 #include "vtkPatternPatchRecords.h"
 #include "vtkPatternPatches.h"
 #include "vtkPatternScreenPass.h"
 #include "vtkPatternShaderInjector.h"
+#include "vtkPatternSurface.h"
 #include "vtkPatternToneChannels.h"
 #include "vtkPatternTonePeel.h"
 #include "vtkPatternViewContext.h"
@@ -45,7 +45,7 @@ struct vtkPatternMapper::Internals
   vtkPatternPatches Patches;
   vtkPatternPatchRecords PatchRecords;
   glm::dvec3 PatchOrigin{ 0.0 };
-  vtkPatternNoiseSurface NoiseSurface;
+  vtkPatternSurface Surface;
   vtkTimeStamp ChannelTime;
   bool UsesTextureCoordinates = false; // once needed, they stay in the vertex buffers
   bool UsesPrimitiveIds = false;       // the same

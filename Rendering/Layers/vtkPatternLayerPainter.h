@@ -24,7 +24,7 @@
 class vtkOpenGLRenderWindow;
 class vtkPatternLayer;
 class vtkPatternNoiseHistory;
-class vtkPatternNoiseSurface;
+class vtkPatternSurface;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
@@ -80,7 +80,7 @@ public:
   /// What is seen of the surface, for layers whose field is made for the pixels that show it.
   struct FieldScene
   {
-    vtkPatternNoiseSurface* Surface;
+    vtkPatternSurface* Surface;
     vtkPatternNoiseHistory* History; // of it in this renderer; null: nothing is remembered
     bool LookOn;                     // what is remembered stays
     glm::dmat4 ModelToClip;

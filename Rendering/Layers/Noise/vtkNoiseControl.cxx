@@ -3,7 +3,7 @@
 #include "vtkNoiseControl.h"
 
 #include "vtkNoiseLayer.h"
-#include "vtkPatternNoiseSurface.h"
+#include "vtkPatternSurface.h"
 #include "vtkPatternToneCurve.h"
 
 #include <glm/common.hpp>

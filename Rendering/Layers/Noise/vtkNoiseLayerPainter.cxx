@@ -16,8 +16,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternMapper.h"
 #include "vtkPatternNoiseHistory.h"
-#include "vtkPatternNoiseSurface.h"
 #include "vtkPatternShaderText.h"
+#include "vtkPatternSurface.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -199,7 +199,7 @@ void vtkNoiseLayerPainter::UpdateThresholds()
 std::vector<hachure::NoiseKernel> vtkNoiseLayerPainter::Kernels(
   const FieldScene& scene, const hachure::NoiseKernelOptions& options, bool isDepthAtHand) const
 {
-  vtkPatternNoiseSurface& surface = *scene.Surface;
+  vtkPatternSurface& surface = *scene.Surface;
   hachure::NoiseView view;
   view.modelToClip = scene.ModelToClip;
   view.viewportOrigin = { scene.Viewport[0], scene.Viewport[1] };

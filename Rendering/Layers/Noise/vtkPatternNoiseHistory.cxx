@@ -7,7 +7,7 @@
 
 #include <set>
 
-void vtkPatternNoiseHistory::Kernels(vtkNoiseLayer* layer, vtkPatternNoiseSurface& surface,
+void vtkPatternNoiseHistory::Kernels(vtkNoiseLayer* layer, vtkPatternSurface& surface,
   const hachure::NoiseView& view, const hachure::NoiseKernelOptions& options, bool lookOn,
   const hachure::NoiseOcclusion* hidden, std::vector<hachure::NoiseKernel>& kernels)
 {
@@ -18,7 +18,7 @@ void vtkPatternNoiseHistory::Kernels(vtkNoiseLayer* layer, vtkPatternNoiseSurfac
     copy = memory;
   }
   Memory& used = lookOn ? copy : memory;
-  const std::shared_ptr<vtkPatternNoiseSurface::State>& state = surface.GetState();
+  const std::shared_ptr<vtkPatternSurface::State>& state = surface.GetState();
   const auto seed = static_cast<std::uint32_t>(layer->GetSeed());
   used.Attachment.setLife(layer->GetLife());
   if (used.Seed != seed || (used.State && used.State != state && !state->Follows(*used.State)))

@@ -8,7 +8,7 @@
 #define vtkPatternNoiseHistory_h
 
 #include "NoiseAttachment.h"
-#include "vtkPatternNoiseSurface.h"
+#include "vtkPatternSurface.h"
 #include "vtkSmartPointer.h"
 
 #include <map>
@@ -23,9 +23,9 @@ class vtkPatternNoiseHistory
 public:
   /// The kernels of a layer. A surface that does not follow the one before starts anew; lookOn:
   /// what is remembered stays, the kernels are those of an advance.
-  void Kernels(vtkNoiseLayer* layer, vtkPatternNoiseSurface& surface,
-    const hachure::NoiseView& view, const hachure::NoiseKernelOptions& options, bool lookOn,
-    const hachure::NoiseOcclusion* hidden, std::vector<hachure::NoiseKernel>& kernels);
+  void Kernels(vtkNoiseLayer* layer, vtkPatternSurface& surface, const hachure::NoiseView& view,
+    const hachure::NoiseKernelOptions& options, bool lookOn, const hachure::NoiseOcclusion* hidden,
+    std::vector<hachure::NoiseKernel>& kernels);
 
   /// Forgets layers that a style does not have.
   void Keep(vtkPatternStyle* style);
@@ -36,7 +36,7 @@ private:
   {
     hachure::NoiseAttachment Attachment;
     std::uint32_t Seed = 0;
-    std::shared_ptr<vtkPatternNoiseSurface::State> State; // that was drawn last
+    std::shared_ptr<vtkPatternSurface::State> State; // that was drawn last
   };
   std::map<vtkSmartPointer<vtkNoiseLayer>, Memory> Layers;
 };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkPatternNoiseSurface.h"
+#include "vtkPatternSurface.h"
 
 #include "Random.h"
 #include "vtkAlgorithm.h"
@@ -60,7 +60,7 @@ bool IsCutAlike(vtkPolyData* block, vtkIdType cell, hachure::Span<const glm::ive
 // Reference areas of the triangles of `state`: those of the same ids in `before`, where there are,
 // else what they are now.
 std::vector<double> AreasOf(
-  const vtkPatternNoiseSurface::State& state, const vtkPatternNoiseSurface::State* before)
+  const vtkPatternSurface::State& state, const vtkPatternSurface::State* before)
 {
   std::unordered_map<std::uint64_t, double> known;
   for (std::size_t i = 0; before && i < before->Areas.size(); ++i)
@@ -82,14 +82,14 @@ std::vector<double> AreasOf(
 }
 } // namespace
 
-bool vtkPatternNoiseSurface::State::Follows(const State& before) const
+bool vtkPatternSurface::State::Follows(const State& before) const
 {
   const double data = this->DataTime - before.DataTime;
   const double passed = std::isfinite(data) ? data : this->AnimationTime - before.AnimationTime;
   return this->Lineage == before.Lineage && !(passed < 0.0);
 }
 
-void vtkPatternNoiseSurface::Update(vtkDataObject* input, const Source& source)
+void vtkPatternSurface::Update(vtkDataObject* input, const Source& source)
 {
   const std::uint64_t time = TimeOf(input);
   if (this->Input != input || this->InputTime != time)
@@ -117,7 +117,7 @@ void vtkPatternNoiseSurface::Update(vtkDataObject* input, const Source& source)
   }
 }
 
-void vtkPatternNoiseSurface::Replace(vtkDataObject* input, const Source& source)
+void vtkPatternSurface::Replace(vtkDataObject* input, const Source& source)
 {
   const bool related = this->Algorithm == source.Algorithm && this->Port == source.Port;
   const std::shared_ptr<State> before = this->Current;
@@ -133,7 +133,7 @@ void vtkPatternNoiseSurface::Replace(vtkDataObject* input, const Source& source)
 }
 
 // A triangle is the one of this number that its cell is cut into.
-void vtkPatternNoiseSurface::Identify(vtkDataObject* input)
+void vtkPatternSurface::Identify(vtkDataObject* input)
 {
   this->Current->Ids.clear();
   const std::vector<vtkPattern::Block> blocks = vtkPattern::Blocks(input);
@@ -160,7 +160,7 @@ void vtkPatternNoiseSurface::Identify(vtkDataObject* input)
   }
 }
 
-void vtkPatternNoiseSurface::Move()
+void vtkPatternSurface::Move()
 {
   this->Current->Positions.clear();
   this->Current->Positions.reserve(this->Current->Surface.points.size());
@@ -180,7 +180,7 @@ void vtkPatternNoiseSurface::Move()
   }
 }
 
-const std::vector<std::int32_t>& vtkPatternNoiseSurface::Facets()
+const std::vector<std::int32_t>& vtkPatternSurface::Facets()
 {
   const std::size_t count = this->Current->Surface.triangles.size();
   if (this->FacetOfTriangle.size() == count)
@@ -213,7 +213,7 @@ const std::vector<std::int32_t>& vtkPatternNoiseSurface::Facets()
   return this->FacetOfTriangle;
 }
 
-void vtkPatternNoiseSurface::AppendPrimitiveIds(
+void vtkPatternSurface::AppendPrimitiveIds(
   vtkPolyData* block, hachure::Span<const vtkIdType> cells, std::vector<float>& ids)
 {
   const std::vector<vtkPattern::Block> blocks = vtkPattern::Blocks(this->Input);
@@ -247,7 +247,7 @@ void vtkPatternNoiseSurface::AppendPrimitiveIds(
   }
 }
 
-std::shared_ptr<hachure::NoiseSurface> vtkPatternNoiseSurface::Points(std::uint32_t seed)
+std::shared_ptr<hachure::NoiseSurface> vtkPatternSurface::Points(std::uint32_t seed)
 {
   State& state = *this->Current;
   auto found = state.Seeds.find(seed);
@@ -266,7 +266,7 @@ std::shared_ptr<hachure::NoiseSurface> vtkPatternNoiseSurface::Points(std::uint3
   return { this->Current, &found->second };
 }
 
-const vtkPatternSurfaceArray& vtkPatternNoiseSurface::Array(const std::string& name, int components)
+const vtkPatternSurfaceArray& vtkPatternSurface::Array(const std::string& name, int components)
 {
   const std::pair<std::string, int> key(name, components);
   auto found = this->Arrays.find(key);

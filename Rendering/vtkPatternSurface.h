@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The points that a mapper's noises are attached to: they stay on the surface while it deforms.
+ * A mapper's surface, and the points on it that marks are attached to: they stay there while it deforms.
  * Where its cells change, vtkPatternNoiseHistory carries them to the new surface.
  */
-#ifndef vtkPatternNoiseSurface_h
-#define vtkPatternNoiseSurface_h
+#ifndef vtkPatternSurface_h
+#define vtkPatternSurface_h
 
 #include "NoiseSurface.h"
 #include "SurfaceTriangles.h"
@@ -25,7 +25,7 @@ class vtkAlgorithm;
 class vtkDataObject;
 class vtkPolyData;
 
-class vtkPatternNoiseSurface
+class vtkPatternSurface
 {
 public:
   /// What else a surface is known by.
@@ -102,4 +102,4 @@ private:
 };
 
 #endif
-// VTK-HeaderTest-Exclude: vtkPatternNoiseSurface.h
+// VTK-HeaderTest-Exclude: vtkPatternSurface.h

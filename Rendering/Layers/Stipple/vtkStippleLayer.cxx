@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkStippleLayer.h"
+
+#include "PatternStyleArchive.h"
+#include "vtkObjectFactory.h"
+
+//------------------------------------------------------------------------------
+vtkStandardNewMacro(vtkStippleLayer);
+
+//------------------------------------------------------------------------------
+void vtkStippleLayer::DescribeField(hachure::StyleArchive& archive)
+{
+  using Self = vtkStippleLayer;
+  archive.length("size", this, &Self::GetSize, &Self::SetSize, &Self::GetSizeUnit,
+    &Self::SetSizeUnit, { this->GetSizeMinValue(), this->GetSizeMaxValue() });
+  archive.choice("carrier", this, &Self::GetCarrier, &Self::SetCarrier, { "density", "size" });
+  archive.number("growth", this, &Self::GetGrowth, &Self::SetGrowth,
+    { this->GetGrowthMinValue(), this->GetGrowthMaxValue() });
+  archive.choice("order", this, &Self::GetOrder, &Self::SetOrder, { "progressive", "classic" });
+  archive.integer("numberOfPoints", this, &Self::GetNumberOfPoints, &Self::SetNumberOfPoints,
+    { double(this->GetNumberOfPointsMinValue()), double(this->GetNumberOfPointsMaxValue()) });
+  archive.boolean("refinement", this, &Self::GetRefinement, &Self::SetRefinement);
+  archive.integer("memoryBudget", this, &Self::GetMemoryBudget, &Self::SetMemoryBudget,
+    { double(this->GetMemoryBudgetMinValue()), double(this->GetMemoryBudgetMaxValue()) });
+}
+
+//------------------------------------------------------------------------------
+void vtkStippleLayer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Size: " << this->Size << "\n";
+  os << indent << "SizeUnit: " << this->SizeUnit << "\n";
+  os << indent << "Carrier: " << this->Carrier << "\n";
+  os << indent << "Growth: " << this->Growth << "\n";
+  os << indent << "Order: " << this->Order << "\n";
+  os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
+  os << indent << "Refinement: " << this->Refinement << "\n";
+  os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
+}

@@ -54,7 +54,7 @@ struct SurfaceTriangles
 
   TriangleMesh mesh() const { return { this->points, this->triangles, this->patches }; }
   /// The triangles of one block alone; the corners still index all points.
-  TriangleMesh blockMesh(std::size_t block) const;
+  HACHUREFILTERS_EXPORT TriangleMesh blockMesh(std::size_t block) const;
 };
 
 /// Throws std::invalid_argument, with a message for the user, when the patch array is missing or is

@@ -19,6 +19,7 @@
 #include "preset_paper.h"
 #include "preset_phasor.h"
 #include "preset_spot.h"
+#include "preset_stipple.h"
 #include "preset_watercolour.h"
 
 namespace hachure
@@ -34,6 +35,7 @@ const std::vector<Preset>& presets()
     { "cmyk", preset_cmyk },
     { "painterly", preset_painterly },
     { "paper", preset_paper },
+    { "stipple", preset_stipple },
     { "gabor", preset_gabor },
     { "phasor", preset_phasor },
     { "spot", preset_spot },

@@ -7,6 +7,7 @@
 #include "vtkNew.h"
 #include "vtkNoiseLayer.h"
 #include "vtkPatternStyle.h"
+#include "vtkStippleLayer.h"
 
 #include <algorithm>
 #include <limits>
@@ -41,7 +42,7 @@ LayerPointer create()
 const std::vector<LayerType>& layerTypes()
 {
   static const std::vector<LayerType> types = { { "image", create<vtkImagePatternLayer> },
-    { "noise", create<vtkNoiseLayer> } };
+    { "noise", create<vtkNoiseLayer> }, { "stipple", create<vtkStippleLayer> } };
   return types;
 }
 

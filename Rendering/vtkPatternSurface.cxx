@@ -80,6 +80,14 @@ std::vector<double> AreasOf(
   }
   return areas;
 }
+// Points of no triangle need not be finite.
+std::vector<glm::dvec3> FiniteOf(std::vector<glm::dvec3> points)
+{
+  std::replace_if(
+    points.begin(), points.end(),
+    [](const glm::dvec3& p) { return !std::isfinite(p.x + p.y + p.z); }, glm::dvec3(0.0));
+  return points;
+}
 } // namespace
 
 bool vtkPatternSurface::State::Follows(const State& before) const
@@ -178,6 +186,10 @@ void vtkPatternSurface::Move()
   {
     seed.second.setPositions(this->Current->Positions);
   }
+  for (auto& stipples : this->Current->Stipples)
+  {
+    stipples.second.setPositions(this->Current->Positions);
+  }
 }
 
 const std::vector<std::int32_t>& vtkPatternSurface::Facets()
@@ -254,14 +266,53 @@ std::shared_ptr<hachure::NoiseSurface> vtkPatternSurface::Points(std::uint32_t s
   if (found == state.Seeds.end())
   {
     // Not the first positions where the surface has moved since: those of the reference.
-    std::vector<glm::dvec3>& first = state.Surface.points;
-    std::replace_if(
-      first.begin(), first.end(),
-      [](const glm::dvec3& p) { return !std::isfinite(p.x + p.y + p.z); }, glm::dvec3(0.0));
+    const std::vector<glm::dvec3> first = FiniteOf(state.Surface.points);
     hachure::NoiseSurface points({ first, state.Surface.triangles, {} }, state.Ids,
       state.Surface.blockIndices, seed, state.Areas);
     points.setPositions(state.Positions);
     found = state.Seeds.emplace(seed, std::move(points)).first;
+  }
+  return { this->Current, &found->second };
+}
+
+hachure::StippleTree vtkPatternSurface::MakeStipples(const StippleKey& key)
+{
+  const hachure::SurfaceTriangles& surface = this->Current->Surface;
+  std::vector<glm::ivec3> triangles = surface.triangles;
+  for (std::size_t block = 0; block < surface.blocks.size(); ++block)
+  {
+    if (hachure::isInsideOut(surface.blockMesh(block)))
+    {
+      const bool isLast = block + 1 == surface.blocks.size();
+      const auto begin = static_cast<std::size_t>(surface.blocks[block].firstTriangle);
+      const std::size_t end = isLast
+        ? triangles.size()
+        : static_cast<std::size_t>(surface.blocks[block + 1].firstTriangle);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        std::swap(triangles[i].y, triangles[i].z);
+      }
+    }
+  }
+  const std::vector<glm::dvec3> first = FiniteOf(surface.points);
+  const hachure::TriangleMesh mesh = { first, triangles, {} };
+  hachure::StippleOptions options;
+  options.order = key.Order;
+  options.seed = key.Seed;
+  options.count = key.Count;
+  hachure::StippleTreeOptions treeOptions;
+  treeOptions.seed = key.Seed;
+  return hachure::StippleTree(mesh, hachure::stippleSurface(mesh, options), treeOptions);
+}
+
+std::shared_ptr<hachure::StippleTree> vtkPatternSurface::Stipples(const StippleKey& key)
+{
+  State& state = *this->Current;
+  auto found = state.Stipples.find(key);
+  if (found == state.Stipples.end())
+  {
+    found = state.Stipples.emplace(key, this->MakeStipples(key)).first;
+    found->second.setPositions(state.Positions);
   }
   return { this->Current, &found->second };
 }

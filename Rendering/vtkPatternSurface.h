@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A mapper's surface, and the points on it that marks are attached to: they stay there while it deforms.
- * Where its cells change, vtkPatternNoiseHistory carries them to the new surface.
+ * A mapper's surface, and the points on it that marks are attached to: they stay there while it
+ * deforms. Where its cells change, vtkPatternNoiseHistory carries those of noises to the new
+ * surface.
  */
 #ifndef vtkPatternSurface_h
 #define vtkPatternSurface_h
 
 #include "NoiseSurface.h"
+#include "StippleTree.h"
 #include "SurfaceTriangles.h"
 #include "vtkPatternGeometry.h"
 #include "vtkPatternSurfaceArray.h"
@@ -18,6 +20,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -41,6 +44,19 @@ public:
   /// another surface, other coordinates only move it.
   void Update(vtkDataObject* input, const Source& source);
 
+  /// What stipples are made with.
+  struct StippleKey
+  {
+    hachure::StippleOrder Order;
+    std::uint32_t Seed;
+    std::int64_t Count;
+    bool operator<(const StippleKey& other) const
+    {
+      return std::tie(this->Order, this->Seed, this->Count) <
+        std::tie(other.Order, other.Seed, other.Count);
+    }
+  };
+
   /// A surface as long as it has the same cells. Who holds one keeps it as it was last.
   struct State
   {
@@ -49,6 +65,7 @@ public:
     std::vector<std::uint64_t> Ids;    // from global ids of cells; empty where there are none
     std::vector<double> Areas; // with ids: those of the first surface that had such a triangle
     std::map<std::uint32_t, hachure::NoiseSurface> Seeds;
+    std::map<StippleKey, hachure::StippleTree> Stipples;
     unsigned long Lineage = 0; // the same for surfaces that come from one another
     double DataTime = std::numeric_limits<double>::quiet_NaN();
     double AnimationTime = 0.0;
@@ -60,6 +77,10 @@ public:
 
   /// The points of this seed, where the surface is now. Owns the state.
   std::shared_ptr<hachure::NoiseSurface> Points(std::uint32_t seed);
+
+  /// Stipples, where the surface is now; their normals point outward where it is closed. Owns the
+  /// state.
+  std::shared_ptr<hachure::StippleTree> Stipples(const StippleKey& key);
 
   hachure::TriangleMesh Mesh() const
   {
@@ -87,6 +108,7 @@ public:
 private:
   void Replace(vtkDataObject* input, const Source& source);
   void Identify(vtkDataObject* input);
+  hachure::StippleTree MakeStipples(const StippleKey& key);
   void Move();
 
   vtkPatternGeometry Geometry;

@@ -3,13 +3,16 @@
 #include "StippleDrawing.h"
 
 #include "FloatLanes.h"
+#include "Parallel.h"
 #include "StippleTone.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -26,6 +29,7 @@ constexpr float leastFacing = 0.05f;
 constexpr float facingStep = (1.0f - leastFacing) / (facingCount - 1);
 constexpr float leastRadius = 0.03f; // pixels: less than a quarter of a place of the canvas
 constexpr float leastNumber = 1e-30f;
+constexpr float backTolerance = 0.15f; // over that of fronts
 
 void require(bool isGood, const char* name, double value, const char* expected)
 {
@@ -61,6 +65,35 @@ HACHURE_INLINED FloatLanes alongLanes(
   const glm::vec4& row, const FloatLanes& x, const FloatLanes& y, const FloatLanes& z)
 {
   return x * row.x + y * row.y + (z * row.z + row.w);
+}
+
+// Up to which density all stipples around a place in a node are there: that of the smallest node
+// which has the place in its box, and is nearest to it.
+float heldAround(const StippleTree& tree, std::int32_t node, const glm::dvec3& place)
+{
+  std::int32_t smallest = node;
+  while (tree.node(smallest).childCount > 0)
+  {
+    const StippleNode& parent = tree.node(smallest);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::int32_t i = 0; i < parent.childCount; ++i)
+    {
+      const std::int32_t child = parent.children[static_cast<std::size_t>(i)];
+      const StippleBounds& bounds = tree.node(child).bounds;
+      const glm::dvec3 outside = place - glm::clamp(place, bounds.low, bounds.high);
+      const double away = glm::dot(outside, outside);
+      if (!bounds.isEmpty() && away < least)
+      {
+        least = away;
+        smallest = child;
+      }
+    }
+    if (!std::isfinite(least))
+    {
+      break;
+    }
+  }
+  return static_cast<float>(tree.node(smallest).heldDensity);
 }
 
 } // namespace
@@ -189,15 +222,15 @@ double StippleDrawing::mostWanted(const NoiseSphere& sphere) const
 
 // Bits of those out of eight that may be wanted.
 HACHURE_WIDE_CLONES std::uint32_t StippleDrawing::candidates(
-  const Rows& rows, const StippleBlock& block, std::int32_t first) const
+  const Rows& rows, const StippleNode& node, std::int32_t first) const
 {
-  const FloatLanes x = loadLanes(block.x + first), y = loadLanes(block.y + first);
-  const FloatLanes z = loadLanes(block.z + first);
+  const FloatLanes x = loadLanes(node.place(0) + first), y = loadLanes(node.place(1) + first);
+  const FloatLanes z = loadLanes(node.place(2) + first);
   const FloatLanes viewX = x * rows.turn + rows.toViewer.x;
   const FloatLanes viewY = y * rows.turn + rows.toViewer.y;
   const FloatLanes viewZ = z * rows.turn + rows.toViewer.z;
-  const FloatLanes area = magnitudeLanes(viewX * loadLanes(block.normalX + first) +
-    viewY * loadLanes(block.normalY + first) + viewZ * loadLanes(block.normalZ + first));
+  const FloatLanes area = magnitudeLanes(viewX * loadLanes(node.normal(0) + first) +
+    viewY * loadLanes(node.normal(1) + first) + viewZ * loadLanes(node.normal(2) + first));
   const FloatLanes facing =
     area / (rootLanes(viewX * viewX + viewY * viewY + viewZ * viewZ) + leastNumber);
   // Crowds fall with the facing ever more slowly: between two facings they are below the line.
@@ -213,7 +246,7 @@ HACHURE_WIDE_CLONES std::uint32_t StippleDrawing::candidates(
     higherLanes(beyond * slopeBelow, beyond * slopeAbove) + darkestCrowds[middle];
   const FloatLanes w = alongLanes(rows.w, x, y, z);
   // wanted * w^3 - density * w^3; infinite densities fail, as does what is behind the eye.
-  const FloatLanes rest = crowd * area - loadLanes(block.density + first) * (w * w * w);
+  const FloatLanes rest = crowd * area - loadLanes(node.density() + first) * (w * w * w);
   const FloatLanes column = alongLanes(rows.x, x, y, z), row = alongLanes(rows.y, x, y, z);
   const auto margin = 0.5f * this->look.diameter;
   const FloatLanes right = w * (static_cast<float>(this->scene.rectangle[2]) + margin) - column;
@@ -276,16 +309,14 @@ float StippleDrawing::visibleShare(const Place& place) const
 }
 
 bool StippleDrawing::finish(
-  const Rows& rows, const StippleBlock& block, std::int32_t index, DrawnStipple& stipple) const
+  const Rows& rows, const StippleTree& tree, const Task& task, DrawnStipple& stipple) const
 {
-  const glm::vec3 from(block.x[index], block.y[index], block.z[index]);
-  const glm::vec3 normal(block.normalX[index], block.normalY[index], block.normalZ[index]);
+  const StippleNode& node = tree.node(task.node);
+  const std::int32_t index = stipple.index;
+  const glm::vec3 from(node.place(0)[index], node.place(1)[index], node.place(2)[index]);
+  const glm::vec3 normal(node.normal(0)[index], node.normal(1)[index], node.normal(2)[index]);
   const glm::vec3 view = rows.toViewer + rows.turn * from;
   const float area = glm::dot(view, normal);
-  if (!(area > 0.0f ? block.fronts : block.backs))
-  {
-    return false;
-  }
   const float w = glm::dot(glm::vec3(rows.w), from) + rows.w.w;
   const float z = (glm::dot(glm::vec3(rows.z), from) + rows.z.w) / w;
   if (!(std::abs(z) <= 1.0f))
@@ -307,13 +338,13 @@ bool StippleDrawing::finish(
   }
   // Where there are not enough stipples, they are larger: the same picture, magnified.
   const float perPixel = w * w * w / std::abs(area); // area of surface
-  const float most = block.held * perPixel;
-  if (crowd > most)
+  if (task.lacks)
   {
-    diameter *= std::sqrt(crowd / most);
-    crowd = most;
+    const float there = heldAround(tree, task.node, node.origin + glm::dvec3(from)) * perPixel;
+    diameter *= std::sqrt(std::max(1.0f, crowd / there));
+    crowd = std::min(crowd, there);
   }
-  const float grown = stippleGrowth(crowd / (block.density[index] * perPixel), this->look.growth);
+  const float grown = stippleGrowth(crowd / (node.density()[index] * perPixel), this->look.growth);
   if (!(0.5f * diameter * grown > leastRadius))
   {
     return false;
@@ -327,28 +358,135 @@ bool StippleDrawing::finish(
   place.slope.x = 0.5f * inverse * glm::dot(normal, glm::cross(axisZ, axisY));
   place.slope.y = 0.5f * inverse * glm::dot(normal, glm::cross(axisX, axisZ));
   place.depth = 0.5f * z + 0.5f;
-  place.tolerance =
-    this->scene.depthPerPixel + 0.5f * (std::abs(place.slope.x) + std::abs(place.slope.y));
+  // Where the back of a thin sheet is seen, its stipples are on what is seen, and where its front
+  // is, those of the back are behind it.
+  place.tolerance = (area > 0.0f ? 1.0f : backTolerance) *
+    (this->scene.depthPerPixel + 0.5f * (std::abs(place.slope.x) + std::abs(place.slope.y)));
   const float radius = 0.5f * diameter * grown * this->visibleShare(place);
-  stipple = { { place.x, place.y, radius }, index };
+  stipple.disc = { place.x, place.y, radius };
   return radius > leastRadius;
 }
 
-void StippleDrawing::draw(const StippleBlock& block, std::vector<DrawnStipple>& drawn) const
+void StippleDrawing::draw(
+  const StippleTree& tree, const Task& task, std::vector<DrawnStipple>& drawn) const
 {
-  const Rows rows = this->rowsAt(block.origin);
+  const StippleNode& node = tree.node(task.node);
+  const Rows rows = this->rowsAt(node.origin);
   DrawnStipple stipple;
-  for (std::int32_t first = 0; first < block.count; first += floatLanes)
+  stipple.node = task.node;
+  for (std::int32_t first = 0; first < node.count; first += floatLanes)
   {
-    std::uint32_t bits = this->candidates(rows, block, first);
-    for (std::int32_t lane = 0; bits != 0; ++lane, bits >>= 1)
+    if (node.leastOfBlocks()[first / floatLanes] > task.wanted)
     {
-      if ((bits & 1u) != 0 && this->finish(rows, block, first + lane, stipple))
+      break;
+    }
+    std::uint32_t bits = this->candidates(rows, node, first);
+    for (stipple.index = first; bits != 0; ++stipple.index, bits >>= 1)
+    {
+      if ((bits & 1u) != 0 && this->finish(rows, tree, task, stipple))
       {
         drawn.push_back(stipple);
       }
     }
   }
+}
+
+namespace
+{
+
+// Nodes that a picture shows, and those of them that have not enough.
+struct Walk
+{
+  std::vector<StippleDrawing::Task> seen;
+  std::vector<StippleRequest> lacking;
+};
+
+Walk walk(const StippleTree& tree, const StippleDrawing& drawing)
+{
+  Walk result;
+  std::vector<std::int32_t> open;
+  if (!tree.nodes().empty())
+  {
+    open.push_back(0);
+  }
+  while (!open.empty())
+  {
+    const std::int32_t index = open.back();
+    const StippleNode& node = tree.node(index);
+    open.pop_back();
+    const double wanted = node.bounds.isEmpty()
+      ? 0.0
+      : drawing.mostWanted({ node.bounds.middle(), node.bounds.radius });
+    if (wanted <= 0.0 || node.leastDensity > wanted)
+    {
+      continue;
+    }
+    const bool lacks = node.childCount == 0 && wanted > node.heldDensity;
+    result.seen.push_back({ index, wanted, lacks });
+    if (lacks)
+    {
+      result.lacking.push_back({ index, wanted });
+    }
+    open.insert(open.end(), node.children.begin(), node.children.begin() + node.childCount);
+  }
+  return result;
+}
+
+// Stipples of a node above those that lack some may be among them, too.
+void markAncestors(const StippleTree& tree, Walk& shown)
+{
+  std::vector<char> lacks(tree.nodes().size(), 0);
+  for (const StippleRequest& request : shown.lacking)
+  {
+    for (std::int32_t node = request.node; node >= 0 && lacks[static_cast<std::size_t>(node)] == 0;
+         node = tree.node(node).parent)
+    {
+      lacks[static_cast<std::size_t>(node)] = 1;
+    }
+  }
+  for (StippleDrawing::Task& task : shown.seen)
+  {
+    task.lacks = lacks[static_cast<std::size_t>(task.node)] != 0;
+  }
+}
+
+} // namespace
+
+bool drawStipples(
+  StippleTree& tree, const StippleDrawing& drawing, bool refines, std::vector<DrawnStipple>& drawn)
+{
+  Walk shown = walk(tree, drawing);
+  // One level at a time: children are smaller, and what they want is better known.
+  bool isMore = refines && tree.canRefine();
+  while (isMore && !shown.lacking.empty())
+  {
+    for (StippleRequest& request : shown.lacking)
+    {
+      constexpr double littleMore = 1.0 + 1e-6;
+      request.density = littleMore * tree.node(request.node).heldDensity;
+    }
+    isMore = tree.refine(shown.lacking);
+    shown = walk(tree, drawing);
+  }
+  markAncestors(tree, shown);
+  constexpr std::int64_t grain = 8; // nodes
+  const auto count = static_cast<std::int64_t>(shown.seen.size());
+  std::vector<std::vector<DrawnStipple>> parts(static_cast<std::size_t>(count / grain + 1));
+  parallelForRanges(count, grain,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t i = begin; i < end; ++i)
+      {
+        drawing.draw(tree, shown.seen[static_cast<std::size_t>(i)],
+          parts[static_cast<std::size_t>(begin / grain)]);
+      }
+    });
+  drawn.clear();
+  for (const std::vector<DrawnStipple>& part : parts)
+  {
+    drawn.insert(drawn.end(), part.begin(), part.end());
+  }
+  return shown.lacking.empty();
 }
 
 } // namespace hachure

@@ -6,6 +6,7 @@
 #include "NoiseProjection.h"
 #include "Span.h"
 #include "StippleCanvas.h"
+#include "StippleTree.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -44,22 +45,11 @@ struct StippleScene
   std::array<float, 256> toneOf{}; // 0 to 1
 };
 
-// Stipples next to each other. A stipple comes in where so many per unit of area are wanted.
-struct StippleBlock
-{
-  glm::dvec3 origin{ 0.0 };
-  const float *x = nullptr, *y = nullptr, *z = nullptr;                   // from the origin
-  const float *normalX = nullptr, *normalY = nullptr, *normalZ = nullptr; // of unit length
-  const float* density = nullptr;                                         // infinite: never
-  std::int32_t count = 0; // arrays go on to a multiple of 8, with infinite densities
-  float held = 0.0f;      // all stipples around that come in at densities up to this are there
-  bool fronts = true, backs = true; // sides of the surface that show stipples
-};
-
 struct DrawnStipple
 {
   StippleDisc disc;       // pixels from the rectangle's corner
-  std::int32_t index = 0; // in its block
+  std::int32_t node = 0;  // of the tree
+  std::int32_t index = 0; // of the node's points
 };
 
 class StippleDrawing
@@ -70,20 +60,27 @@ public:
   StippleDrawing(const StippleDrawing&) = delete;
   StippleDrawing& operator=(const StippleDrawing&) = delete;
 
-  // Appends the stipples that are drawn.
-  void draw(const StippleBlock& block, std::vector<DrawnStipple>& drawn) const;
-
   // No point within the sphere wants a higher density than this; 0 where none is in the picture.
   double mostWanted(const NoiseSphere& sphere) const;
 
+  // What to draw of a node.
+  struct Task
+  {
+    std::int32_t node = 0;
+    double wanted = 0.0; // no point of it wants a higher density
+    bool lacks = false;  // in places there are not as many stipples as are wanted
+  };
+  // Appends the stipples of a node that are drawn.
+  void draw(const StippleTree& tree, const Task& task, std::vector<DrawnStipple>& drawn) const;
+
 private:
-  struct Rows; // what depends on a block's origin
+  struct Rows; // what depends on a node's origin
   struct Place;
   Rows rowsAt(const glm::dvec3& origin) const;
   void tabulateCrowds();
-  std::uint32_t candidates(const Rows& rows, const StippleBlock& block, std::int32_t first) const;
+  std::uint32_t candidates(const Rows& rows, const StippleNode& node, std::int32_t first) const;
   bool finish(
-    const Rows& rows, const StippleBlock& block, std::int32_t index, DrawnStipple& stipple) const;
+    const Rows& rows, const StippleTree& tree, const Task& task, DrawnStipple& stipple) const;
   float crowdAt(std::size_t tone, float facing) const;
   std::size_t toneAt(float x, float y) const;
   float visibleShare(const Place& place) const;
@@ -98,6 +95,12 @@ private:
   std::size_t darkest = 0;           // of toneOf
   std::vector<float> crowds;         // stipples per pixel: of every tone, for every facing
 };
+
+// All stipples of the tree that are drawn, in an order that is the same for any number of threads.
+// refines: makes those that are not there yet. Returns whether there were as many as wanted;
+// otherwise discs are larger.
+bool drawStipples(
+  StippleTree& tree, const StippleDrawing& drawing, bool refines, std::vector<DrawnStipple>& drawn);
 
 } // namespace hachure
 

@@ -6,6 +6,8 @@
 #include "vtkImagePatternLayerPainter.h"
 #include "vtkNoiseLayer.h"
 #include "vtkNoiseLayerPainter.h"
+#include "vtkStippleLayer.h"
+#include "vtkStippleLayerPainter.h"
 
 std::unique_ptr<vtkPatternLayerPainter> vtkPatternLayerPainter::New(vtkPatternLayer* layer)
 {
@@ -16,6 +18,10 @@ std::unique_ptr<vtkPatternLayerPainter> vtkPatternLayerPainter::New(vtkPatternLa
   if (auto* noise = vtkNoiseLayer::SafeDownCast(layer))
   {
     return std::make_unique<vtkNoiseLayerPainter>(noise);
+  }
+  if (auto* stipple = vtkStippleLayer::SafeDownCast(layer))
+  {
+    return std::make_unique<vtkStippleLayerPainter>(stipple);
   }
   return nullptr;
 }

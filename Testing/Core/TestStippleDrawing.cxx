@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "CallTests.h"
-#include "StippleBlocks.h"
+#include "StippleScene.h"
 
 #include "StippleCanvas.h"
+#include "StippleDrawing.h"
 #include "StippleTone.h"
 
 #include <glm/gtc/matrix_transform.hpp>
+
+#include <map>
+#include <memory>
 
 using namespace hachure;
 
@@ -26,7 +30,7 @@ struct PlanePicture
     StippleOptions options;
     options.count = count;
     hierarchy = stippleSurface(plane.mesh(), options);
-    points = std::make_unique<HierarchyBlock>(plane.mesh(), hierarchy);
+    tree = std::make_unique<StippleTree>(plane.mesh(), hierarchy);
   }
 
   static StippleScene scene(double pixels, double tilt, float tone)
@@ -45,13 +49,13 @@ struct PlanePicture
   std::vector<DrawnStipple> draw(const StippleScene& scene, const StippleLook& look) const
   {
     std::vector<DrawnStipple> drawn;
-    StippleDrawing(scene, look).draw(points->block(), drawn);
+    drawStipples(*tree, StippleDrawing(scene, look), false, drawn);
     return drawn;
   }
 
   Surface plane;
   StippleHierarchy hierarchy;
-  std::unique_ptr<HierarchyBlock> points;
+  std::unique_ptr<StippleTree> tree;
 };
 
 // Of the middle of the picture, which a plane of `height` pixels fills.
@@ -142,25 +146,24 @@ TEST(StippleDrawing, WhereStipplesRunOutTheyGrow)
 TEST(StippleDrawing, ZoomingInAndDarkeningOnlyAdd)
 {
   const StippleLook look;
-  std::vector<DrawnStipple> before;
+  std::map<std::uint64_t, float> before;
   for (int step = 0; step < 12; ++step)
   {
     const float tone = 0.2f + 0.02f * static_cast<float>(step);
     const double pixels = 200.0 * std::pow(1.03, step);
     const auto drawn = manyStipples().draw(PlanePicture::scene(pixels, 0.0, tone), look);
-    std::size_t k = 0;
-    for (const DrawnStipple& old : before)
+    std::map<std::uint64_t, float> radii;
+    for (const DrawnStipple& stipple : drawn)
     {
-      while (k < drawn.size() && drawn[k].index < old.index)
-      {
-        ++k;
-      }
-      ASSERT_LT(k, drawn.size());
-      ASSERT_EQ(drawn[k].index, old.index);
-      EXPECT_GE(drawn[k].disc.radius, old.disc.radius - 1e-4f);
+      radii[manyStipples().tree->identity(stipple.node, stipple.index)] = stipple.disc.radius;
     }
-    EXPECT_GT(drawn.size(), before.size());
-    before = drawn;
+    for (const auto& old : before)
+    {
+      ASSERT_EQ(radii.count(old.first), 1u);
+      EXPECT_GE(radii[old.first], old.second - 1e-4f);
+    }
+    EXPECT_GT(radii.size(), before.size());
+    before = radii;
   }
 }
 
@@ -170,7 +173,7 @@ TEST(StippleDrawing, StipplesStayOnTheirSurface)
   for (const DrawnStipple& stipple : manyStipples().draw(scene, StippleLook()))
   {
     const glm::dvec3 place = stipplePosition(manyStipples().plane.mesh(),
-      manyStipples().hierarchy.points[static_cast<std::size_t>(stipple.index)]);
+      manyStipples().hierarchy.points[manyStipples().tree->identity(stipple.node, stipple.index)]);
     const glm::dvec4 clip = scene.view.modelToClip * glm::dvec4(place, 1.0);
     EXPECT_NEAR(stipple.disc.x, (0.5 * clip.x / clip.w + 0.5) * side, 1e-3);
     EXPECT_NEAR(stipple.disc.y, (0.5 * clip.y / clip.w + 0.5) * side, 1e-3);
@@ -193,33 +196,32 @@ TEST(StippleDrawing, HiddenStipplesAreNotDrawn)
     EXPECT_GT(stipple.disc.x, 0.5f * side - 0.5f);
     // Beyond half a pixel from the edge nothing has shrunk.
     const bool near = stipple.disc.x < 0.5f * side + 0.5f;
-    EXPECT_LE(stipple.disc.radius, near ? 1.2f * (stipple.disc.x - 0.5f * side + 0.5f) + 1e-4f : 1.2f);
+    EXPECT_LE(
+      stipple.disc.radius, near ? 1.2f * (stipple.disc.x - 0.5f * side + 0.5f) + 1e-4f : 1.2f);
   }
 }
 
-TEST(StippleDrawing, SidesAreToldApart)
+TEST(StippleDrawing, BackOfAThinSheetIsHidden)
 {
-  StippleBlock block = manyStipples().points->block();
-  std::vector<DrawnStipple> drawn;
-  block.backs = false;
-  const StippleScene front = PlanePicture::scene(side, 0.0, 0.4f);
-  StippleDrawing(front, {}).draw(block, drawn);
-  EXPECT_GT(drawn.size(), 1000u);
-  drawn.clear();
-  const StippleScene behind = PlanePicture::scene(side, 3.0, 0.4f);
-  StippleDrawing(behind, {}).draw(block, drawn);
-  EXPECT_TRUE(drawn.empty());
-  // The same for an eye.
-  StippleScene eye = front;
-  eye.view.modelToClip = glm::perspective(0.5, 1.0, 0.1, 10.0) *
-    glm::lookAt(glm::dvec3(0.5, 0.5, 2.0), glm::dvec3(0.5, 0.5, 0.0), glm::dvec3(0.0, 1.0, 0.0));
-  StippleDrawing(eye, {}).draw(block, drawn);
-  EXPECT_GT(drawn.size(), 1000u);
-  drawn.clear();
-  eye.view.modelToClip = glm::perspective(0.5, 1.0, 0.1, 10.0) *
-    glm::lookAt(glm::dvec3(0.5, 0.5, -2.0), glm::dvec3(0.5, 0.5, 0.0), glm::dvec3(0.0, 1.0, 0.0));
-  StippleDrawing(eye, {}).draw(block, drawn);
-  EXPECT_TRUE(drawn.empty());
+  // The depth of something half a pixel before the plane.
+  StippleScene scene = PlanePicture::scene(side, 0.0, 0.4f);
+  scene.depthPerPixel = 1.0f / (4.0f * side);
+  const std::vector<float> depth(
+    static_cast<std::size_t>(side) * side, 0.5f - 0.5f * scene.depthPerPixel);
+  scene.depth = depth;
+  EXPECT_GT(manyStipples().draw(scene, StippleLook()).size(), 1000u);
+  scene.view.modelToClip = PlanePicture::scene(side, 3.14159265, 0.4f).view.modelToClip;
+  EXPECT_TRUE(manyStipples().draw(scene, StippleLook()).empty());
+  // And for an eye.
+  for (const double height : { 2.0, -2.0 })
+  {
+    scene.view.modelToClip = glm::perspective(0.5, 1.0, 1.0, 3.0) *
+      glm::lookAt(
+        glm::dvec3(0.5, 0.5, height), glm::dvec3(0.5, 0.5, 0.0), glm::dvec3(0.0, 1.0, 0.0));
+    const std::vector<float> nearer(depth.size(), 0.75f - 0.5f * scene.depthPerPixel);
+    scene.depth = nearer;
+    EXPECT_EQ(manyStipples().draw(scene, StippleLook()).empty(), height < 0.0);
+  }
 }
 
 TEST(StippleDrawing, NothingWantsMoreThanTheBound)

@@ -5,11 +5,11 @@
  * @brief a layer of dots that sit on the surface
  *
  * Stipples (Meruvia Pastor and Strothotte 2002, Frame-Coherent Stippling): round dots of one size,
- * the more of them the darker the tone. Each is tied to a point of the surface and moves with it; on
- * paper it is a flat disc, however the surface is tilted. All stipples have an order, such that the
- * first of them are spread evenly, whatever their number: where the picture zooms in or gets darker,
- * stipples grow in between those that are there, and where it zooms out or gets lighter the last
- * ones shrink away. The picture is a function of surface, camera and parameters alone.
+ * the more of them the darker the tone. Each is tied to a point of the surface and moves with it;
+ * on paper it is a flat disc, however the surface is tilted. All stipples have an order, such that
+ * the first of them are spread evenly, whatever their number: where the picture zooms in or gets
+ * darker, stipples grow in between those that are there, and where it zooms out or gets lighter the
+ * last ones shrink away. The picture is a function of surface, camera and parameters alone.
  *
  * A stipple takes the tone at its centre. Ink equals the tone: how many stipples make a tone has
  * been measured, with their growing, their overlap, and how they crowd on tilted surfaces. Stipples

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ContourMesh.h"
+
+#include "Parallel.h"
+#include "ParallelSort.h"
+#include "SurfacePatchesMesh.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hachure
+{
+namespace
+{
+
+bool isFinite(const glm::dvec3& point)
+{
+  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+} // namespace
+
+ContourMesh::ContourMesh(const TriangleMesh& mesh, const glm::dmat4& modelToView)
+{
+  const std::vector<std::int32_t> vertices = joinPoints(mesh.points);
+  this->positions.resize(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    this->positions[vertices[i]] = glm::dvec3(modelToView * glm::dvec4(mesh.points[i], 1.0));
+  }
+  this->addTriangles(mesh, vertices);
+  this->removeRepeated();
+  this->addHalfEdges();
+  this->turnTriangles();
+  this->addFaceNormals();
+}
+
+void ContourMesh::addTriangles(const TriangleMesh& mesh, const std::vector<std::int32_t>& vertices)
+{
+  this->triangles.reserve(mesh.triangles.size());
+  for (const glm::ivec3& points : mesh.triangles)
+  {
+    const glm::ivec3 corners(vertices[points.x], vertices[points.y], vertices[points.z]);
+    const glm::dvec3& a = this->positions[corners.x];
+    const glm::dvec3& b = this->positions[corners.y];
+    const glm::dvec3& c = this->positions[corners.z];
+    if (isFinite(a) && isFinite(b) && isFinite(c) && !isDegenerateTriangle(a, b, c))
+    {
+      this->triangles.push_back(corners);
+    }
+  }
+}
+
+void ContourMesh::removeRepeated()
+{
+  std::vector<std::array<std::int32_t, 4>> keys(this->triangles.size());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    const glm::ivec3& corners = this->triangles[i];
+    keys[i] = { corners.x, corners.y, corners.z, static_cast<std::int32_t>(i) };
+    std::sort(keys[i].begin(), keys[i].begin() + 3);
+  }
+  parallelSort(keys);
+  std::vector<char> isRepeated(this->triangles.size(), 0);
+  for (std::size_t i = 1; i < keys.size(); ++i)
+  {
+    isRepeated[keys[i][3]] = std::equal(keys[i].begin(), keys[i].begin() + 3, keys[i - 1].begin());
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < this->triangles.size(); ++i)
+  {
+    if (!isRepeated[i])
+    {
+      this->triangles[kept++] = this->triangles[i];
+    }
+  }
+  this->triangles.resize(kept);
+}
+
+void ContourMesh::addHalfEdges()
+{
+  this->halfEdges.resize(this->cornerCount());
+  parallelFor(static_cast<std::int64_t>(this->halfEdges.size()),
+    [this](std::int64_t i)
+    {
+      const auto corner = static_cast<std::int32_t>(i);
+      const std::int32_t from = this->vertexOf(corner);
+      const std::int32_t to = this->vertexOf(nextCorner(corner));
+      this->halfEdges[i] = { std::min(from, to), std::max(from, to), corner };
+    });
+  parallelSort(this->halfEdges);
+}
+
+// From the first triangle of every piece on, neighbour by neighbour.
+void ContourMesh::turnTriangles()
+{
+  constexpr std::int32_t none = -1;
+  std::vector<std::int32_t> across(this->cornerCount(), none);
+  this->eachEdge(
+    [&across](Edge edge)
+    {
+      if (edge.size() == 2)
+      {
+        across[edge[0].corner] = edge[1].corner;
+        across[edge[1].corner] = edge[0].corner;
+      }
+    });
+  this->isTurned.assign(this->triangles.size(), 0);
+  std::vector<char> isKnown(this->triangles.size(), 0);
+  std::vector<std::int32_t> piece;
+  for (std::int32_t first = 0; first < static_cast<std::int32_t>(isKnown.size()); ++first)
+  {
+    piece.assign(isKnown[first] ? 0 : 1, first);
+    isKnown[first] = 1;
+    for (std::size_t i = 0; i < piece.size(); ++i)
+    {
+      for (std::int32_t corner = 3 * piece[i]; corner < 3 * piece[i] + 3; ++corner)
+      {
+        const std::int32_t other = across[corner];
+        if (other != none && !isKnown[other / 3])
+        {
+          const bool sameWay = this->vertexOf(corner) == this->vertexOf(other);
+          this->isTurned[other / 3] = sameWay != (this->isTurned[corner / 3] != 0) ? 1 : 0;
+          isKnown[other / 3] = 1;
+          piece.push_back(other / 3);
+        }
+      }
+    }
+  }
+}
+
+void ContourMesh::addFaceNormals()
+{
+  this->faceNormals.resize(this->triangles.size());
+  parallelFor(static_cast<std::int64_t>(this->triangles.size()),
+    [this](std::int64_t i)
+    {
+      const auto first = static_cast<std::int32_t>(3 * i);
+      const glm::dvec3& a = this->positionOf(first);
+      const glm::dvec3 normal =
+        glm::cross(this->positionOf(first + 1) - a, this->positionOf(first + 2) - a);
+      const double length = glm::length(normal) * (this->isTurned[i] ? -1.0 : 1.0);
+      this->faceNormals[i] = length != 0.0 ? normal / length : glm::dvec3(0.0);
+    });
+}
+
+double ContourMesh::angleAt(std::int32_t corner) const
+{
+  const std::int32_t next = nextCorner(corner);
+  const glm::dvec3 a = this->positionOf(next) - this->positionOf(corner);
+  const glm::dvec3 b = this->positionOf(nextCorner(next)) - this->positionOf(corner);
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+} // namespace hachure

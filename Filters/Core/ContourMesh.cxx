@@ -6,11 +6,14 @@
 #include "ParallelSort.h"
 #include "SurfacePatchesMesh.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace hachure
 {
@@ -20,6 +23,30 @@ namespace
 bool isFinite(const glm::dvec3& point)
 {
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+// Along a direction across which few vertices of a grid have others at the same height.
+double seamOrder(const glm::dvec3& place)
+{
+  return glm::dot(place, glm::dvec3(0.4822, 0.7351, 0.4766));
+}
+
+// How far points may be apart, in view space, by the rounding of equal coordinates.
+double seamWidth(Span<const glm::dvec3> points, const glm::dmat4& modelToView)
+{
+  constexpr double roundings = 1e-6; // a few, of a number with 24 bits
+  double largest = 0.0;
+  for (const glm::dvec3& point : points)
+  {
+    if (isFinite(point))
+    {
+      const glm::dvec3 size = glm::abs(point);
+      largest = std::max(largest, std::max(size.x, std::max(size.y, size.z)));
+    }
+  }
+  const double scale = std::max(glm::length(glm::dvec3(modelToView[0])),
+    std::max(glm::length(glm::dvec3(modelToView[1])), glm::length(glm::dvec3(modelToView[2]))));
+  return roundings * scale * largest;
 }
 
 } // namespace
@@ -35,6 +62,7 @@ ContourMesh::ContourMesh(const TriangleMesh& mesh, const glm::dmat4& modelToView
   this->addTriangles(mesh, vertices);
   this->removeRepeated();
   this->addHalfEdges();
+  this->closeSeams(seamWidth(mesh.points, modelToView));
   this->turnTriangles();
   this->addFaceNormals();
 }
@@ -93,6 +121,74 @@ void ContourMesh::addHalfEdges()
       this->halfEdges[i] = { std::min(from, to), std::max(from, to), corner };
     });
   parallelSort(this->halfEdges);
+}
+
+// Vertices on borders that lie within this distance become the first of them.
+void ContourMesh::closeSeams(double width)
+{
+  const std::vector<std::int32_t> vertices = this->borderVertices();
+  std::vector<std::int32_t> names(this->positions.size());
+  std::iota(names.begin(), names.end(), 0);
+  bool found = false;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    const glm::dvec3& place = this->positions[vertices[i]];
+    const double last = seamOrder(place) + width;
+    for (std::size_t k = i + 1; k < vertices.size() && names[vertices[i]] == vertices[i] &&
+         seamOrder(this->positions[vertices[k]]) <= last;
+         ++k)
+    {
+      if (glm::distance(this->positions[vertices[k]], place) <= width)
+      {
+        names[vertices[k]] = vertices[i];
+        found = true;
+      }
+    }
+  }
+  if (found)
+  {
+    this->renameVertices(names);
+  }
+}
+
+// In seamOrder.
+std::vector<std::int32_t> ContourMesh::borderVertices() const
+{
+  std::vector<std::int32_t> vertices;
+  this->eachEdge(
+    [&vertices](Edge edge)
+    {
+      if (edge.size() == 1)
+      {
+        vertices.insert(vertices.end(), { edge[0].low, edge[0].high });
+      }
+    });
+  std::sort(vertices.begin(), vertices.end(),
+    [this](std::int32_t a, std::int32_t b)
+    {
+      const double first = seamOrder(this->positions[a]);
+      const double second = seamOrder(this->positions[b]);
+      return first != second ? first < second : a < b;
+    });
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+void ContourMesh::renameVertices(const std::vector<std::int32_t>& names)
+{
+  std::vector<glm::ivec3> kept;
+  kept.reserve(this->triangles.size());
+  for (const glm::ivec3& corners : this->triangles)
+  {
+    const glm::ivec3 renamed(names[corners.x], names[corners.y], names[corners.z]);
+    if (renamed.x != renamed.y && renamed.y != renamed.z && renamed.z != renamed.x)
+    {
+      kept.push_back(renamed);
+    }
+  }
+  this->triangles = std::move(kept);
+  this->removeRepeated();
+  this->addHalfEdges();
 }
 
 // From the first triangle of every piece on, neighbour by neighbour.

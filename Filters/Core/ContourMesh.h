@@ -32,7 +32,8 @@ struct ContourHalfEdge
 };
 
 // A surface in view space, with points of one place joined, without repeated triangles and such
-// that have no area or a corner that is not finite.
+// that have no area or a corner that is not finite. Seams whose two sides differ by rounding alone
+// are closed.
 class ContourMesh
 {
 public:
@@ -98,6 +99,9 @@ public:
 private:
   void addTriangles(const TriangleMesh& mesh, const std::vector<std::int32_t>& vertices);
   void removeRepeated();
+  void closeSeams(double width);
+  std::vector<std::int32_t> borderVertices() const;
+  void renameVertices(const std::vector<std::int32_t>& names);
   void addHalfEdges();
   void turnTriangles();
   void addFaceNormals();

@@ -16,9 +16,8 @@ namespace
 
 constexpr double stepLength = 0.5; // pixels
 constexpr double samePlace = 1e-3; // pixels
-// A pixel whose centre is farther than this from a straight edge is not covered by both sides of
-// it.
-constexpr double shortestReach = 1.5;
+// The centre of the pixel so far from a straight edge is on the other side of it.
+constexpr double shortestReach = 1.0;
 // Coarse meshes: the line lies within the outline of its own triangles. Farther out, others may be.
 constexpr double longestReach = 8.0;
 // What is nearer by less than so many pixels, as a length in space, hides nothing.
@@ -112,7 +111,7 @@ ContourVisibility::Beside ContourVisibility::besideOf(
     const glm::dvec2 across(-alongLine.y, alongLine.x);
     beside.direction = glm::dot(across, beside.direction) < 0.0 ? -across : across;
   }
-  beside.reach = std::min(shortestReach + 2.0 * segment.inset / unit, longestReach);
+  beside.reach = std::min(shortestReach + 1.5 * segment.inset / unit, longestReach);
   beside.slack = depthRounding + slackInPixels * depthPerPixel;
   beside.steepness = this->steepnessOf(segment, depthPerPixel);
   return beside;

@@ -51,9 +51,11 @@ TEST(ContourLines, MeshEdgesZigzagAroundSphere)
   options.smooth = false;
   const Surface surface = turned(sphere(24), 0.3, { 1.0, 2.0, 3.0 });
   const auto lines = contourLines(surface.mesh(), view, {}, options);
-  ASSERT_EQ(lines.size(), 1u);
-  EXPECT_TRUE(lines[0].closed);
-  expectCircle(lines[0], middle, radius, 1.0);
+  ASSERT_FALSE(lines.empty());
+  for (const ContourLine& line : lines)
+  {
+    expectCircle(line, middle, radius, 1.0);
+  }
   // Diagonals of its quads may be hollows, in which lines are hidden.
   const DepthPicture picture = DepthPicture(view).draw(surface);
   EXPECT_NEAR(

@@ -63,6 +63,27 @@ TEST(ContourLinesInput, WhatHasNoAreaOrPlaceIsLeftOut)
     equal(clean, contourLines({ surface.points, surface.triangles, {} }, view, picture.depth())));
 }
 
+TEST(ContourLinesInput, SeamsOfRoundedPointsAreNoBorders)
+{
+  const ViewProjection view = perspectiveView(6.0, pictureSize);
+  Surface surface = sphere(12);
+  const auto clean = contourLines(surface.mesh(), view);
+  for (std::size_t i = 0; i < surface.points.size(); i += 2)
+  {
+    surface.points[i].x += 1e-7;
+  }
+  const auto rounded = contourLines(surface.mesh(), view);
+  ASSERT_EQ(rounded.size(), 1u);
+  EXPECT_TRUE(rounded[0].closed);
+  EXPECT_NEAR(lengthOf(rounded), lengthOf(clean), 0.01);
+  // A gap that is there is drawn.
+  for (std::size_t i = 0; i < surface.points.size(); i += 2)
+  {
+    surface.points[i].x += 1e-3;
+  }
+  EXPECT_GT(lengthOf(contourLines(surface.mesh(), view)), 2.0 * lengthOf(clean));
+}
+
 TEST(ContourLinesInput, SameBytesAgain)
 {
   const ViewProjection view = perspectiveView(6.0, pictureSize);

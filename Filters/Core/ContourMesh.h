@@ -53,7 +53,7 @@ public:
     return this->triangles[corner / 3][corner % 3];
   }
   const glm::dvec3& position(std::int32_t vertex) const { return this->positions[vertex]; }
-  const glm::dvec3& positionOf(std::int32_t corner) const
+  const glm::dvec3& placeOf(std::int32_t corner) const
   {
     return this->positions[this->vertexOf(corner)];
   }

@@ -137,7 +137,7 @@ private:
         const auto corner = static_cast<std::int32_t>(this->options.smooth ? i : i - i % 3);
         const glm::dvec3 normal =
           this->options.smooth ? this->normalAt(corner) : this->mesh.faceNormal(corner);
-        this->facing[i] = glm::dot(normal, this->toEye(this->mesh.positionOf(corner)));
+        this->facing[i] = glm::dot(normal, this->toEye(this->mesh.placeOf(corner)));
       });
   }
 
@@ -179,7 +179,7 @@ private:
     {
       const std::int32_t opposite =
         ContourMesh::nextCorner(ContourMesh::nextCorner(edge[i].corner));
-      segment.away += middle - this->mesh.positionOf(opposite);
+      segment.away += middle - this->mesh.placeOf(opposite);
       segment.planeNormals[i] = this->mesh.faceNormal(edge[i].corner);
     }
     return segment;
@@ -299,7 +299,7 @@ private:
       std::swap(from, to);
     }
     const double share = this->facing[from] / (this->facing[from] - this->facing[to]);
-    return glm::mix(this->mesh.positionOf(from), this->mesh.positionOf(to), share);
+    return glm::mix(this->mesh.placeOf(from), this->mesh.placeOf(to), share);
   }
 
   // Between the chord and the arc over it that has the normals of its ends.
@@ -308,20 +308,20 @@ private:
     const glm::dvec3 a = this->normalAt(from);
     const glm::dvec3 b = this->normalAt(to);
     const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-    return 0.125 * angle * glm::distance(this->mesh.positionOf(from), this->mesh.positionOf(to));
+    return 0.125 * angle * glm::distance(this->mesh.placeOf(from), this->mesh.placeOf(to));
   }
 
   // Whether the surface is behind the line, seen from where its normals point to: facing grows
   // towards the eye. Otherwise it is a hollow, seen from its inner side.
   bool bulges(std::int32_t first) const
   {
-    const glm::dvec3 eye = this->toEye(this->mesh.positionOf(first));
+    const glm::dvec3 eye = this->toEye(this->mesh.placeOf(first));
     glm::dvec3 gradient(0.0); // of facing in the triangle, of any length
     for (std::int32_t corner = first; corner < first + 3; ++corner)
     {
       const std::int32_t next = ContourMesh::nextCorner(corner);
       const glm::dvec3 opposite =
-        this->mesh.positionOf(ContourMesh::nextCorner(next)) - this->mesh.positionOf(next);
+        this->mesh.placeOf(ContourMesh::nextCorner(next)) - this->mesh.placeOf(next);
       gradient += this->facing[corner] * glm::cross(this->mesh.faceNormal(first), opposite);
     }
     return glm::dot(gradient, eye) >= 0.0;

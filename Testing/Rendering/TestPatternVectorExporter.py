@@ -12,7 +12,9 @@ import hachure
 import numpy
 import pattern_scene as scene
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPlane
 from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkRenderingCore import vtkCompositeDataDisplayAttributes
 
 OUT = sys.argv[sys.argv.index("-T") + 1]
 SIZE = (240, 180)
@@ -236,6 +238,35 @@ def test_depth_of_every_renderer():
     exporter.SetFileName(file_of("left.svg"))
     exporter.Write()
     assert len(Svg(exporter.GetFileName()).lines) == 1
+
+
+def test_clipped_surfaces_and_hidden_blocks():
+    near, far, renderer, window = two_spheres()
+    far.VisibilityOff()
+    near.SetScale(1.0, 1.3, 1.0)
+    near.RotateZ(20.0)
+    plane = vtkPlane()
+    plane.SetOrigin(-0.2, 0.0, 0.0)
+    plane.SetNormal(-1.0, 0.3, 0.2)
+    near.GetMapper().AddClippingPlane(plane)
+    svg = Svg(export(window, "clipped.svg"))
+    distances = svg.distances(steps_in(frame_of(renderer, window)))
+    assert distances.max() < 0.5, distances.max()
+
+    blocks = vtkMultiBlockDataSet()
+    inner = vtkMultiBlockDataSet()
+    inner.SetBlock(0, scene.sphere(48, 0.3, (0.5, 0.0, 0.0)).GetOutput())
+    blocks.SetBlock(0, scene.sphere(48, 0.3, (-0.5, 0.0, 0.0)).GetOutput())
+    blocks.SetBlock(1, inner)
+    actor = unlit(blocks)
+    renderer = scene.renderer_of(actor)
+    window = scene.window_of(renderer, size=SIZE)
+    scene.look(renderer)
+    assert Svg(export(window, "blocks.svg")).closed == [True, True]
+    actor.GetMapper().SetCompositeDataDisplayAttributes(vtkCompositeDataDisplayAttributes())
+    actor.GetMapper().GetCompositeDataDisplayAttributes().SetBlockVisibility(inner, False)
+    svg = Svg(export(window, "blocks.svg"))
+    assert svg.closed == [True] and svg.lines[0][:, 0].max() < SIZE[0] / 2
 
 
 def test_what_is_off_is_not_there():

@@ -91,7 +91,9 @@ double expectedInk(const hachure::VectorPage& page, int x, int y)
   double ink = 0.0;
   for (int i = 0; i < samples * samples; ++i)
   {
-    const glm::dvec2 part((i % samples + 0.5) / samples, (i / samples + 0.5) / samples);
+    const int column = i % samples;
+    const int row = i / samples;
+    const glm::dvec2 part((column + 0.5) / samples, (row + 0.5) / samples);
     ink += inkAt(page, (glm::dvec2(x, y) + part) / static_cast<double>(zoom));
   }
   return ink / (samples * samples);
@@ -140,7 +142,7 @@ void testPictures(const std::string& folder)
 {
   const hachure::VectorPage page = makePage();
   const std::string name = folder + "/TestVectorPageFile";
-  const int dotsPerInch = static_cast<int>(zoom * 25.4 / page.millimetresPerPixel + 0.5);
+  const long dotsPerInch = std::lround(zoom * 25.4 / page.millimetresPerPixel);
   const std::string resolution = std::to_string(dotsPerInch);
   hachure::writeVectorPage(page, name + ".svg");
   draw("rsvg-convert -d " + resolution + " -p " + resolution + " '" + name + ".svg' -o '" + name +

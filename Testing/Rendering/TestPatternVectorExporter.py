@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Hachure contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures as SVG and PDF: contours lie where the drawn frame has them, in millimetres, and hidden ones are not there."""
+"""Pictures as SVG and PDF: contours lie where the drawn frame has them, in millimetres; hidden ones are missing."""
 
 import os
 import re

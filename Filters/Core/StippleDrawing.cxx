@@ -440,6 +440,7 @@ bool StippleDrawing::finish(
     (this->scene.depthPerPixel + 0.5f * (std::abs(place.slope.x) + std::abs(place.slope.y)));
   const float radius = 0.5f * diameter * grown * this->visibleShare(place);
   stipple.disc = { place.x, place.y, radius };
+  stipple.nearest = place.depth - place.tolerance;
   return radius > leastRadius;
 }
 

@@ -50,6 +50,7 @@ struct DrawnStipple
   StippleDisc disc;       // pixels from the rectangle's corner
   std::int32_t node = 0;  // of the tree
   std::int32_t index = 0; // of the node's points
+  float nearest = 0.0f;   // window depth: what is seen before it hides the stipple
 };
 
 class StippleDrawing

@@ -65,9 +65,10 @@ public:
     std::vector<StippleFilling::Given>& known, std::vector<StippleFilling::Point>& kept) const
   {
     StippleCrowd crowd(static_cast<float>(1.0 + 2.0 * (this->margin + this->reach)),
-      static_cast<float>(this->reach));
-    crowd.begin(
-      this->candidates(), this->pointsOf(known), this->borders(), this->crowdingFor(this->end));
+      static_cast<float>(this->reach), this->crowdingFor(this->end));
+    crowd.setAround(this->pointsOf(known), this->borders());
+    this->offerCandidates(crowd);
+    crowd.begin();
     const std::vector<StippleFilling::Given> coming = this->comingOf(known);
     std::size_t next = 0;
     const auto begins = static_cast<float>(this->begin);
@@ -104,7 +105,7 @@ private:
     return glm::vec3((place - this->middle) / this->filling.cube.side());
   }
 
-  std::vector<StippleCrowd::Candidate> candidates() const
+  void offerCandidates(StippleCrowd& crowd) const
   {
     const StippleCube& cube = this->filling.cube;
     const double half = (0.5 + this->margin) * cube.side();
@@ -116,20 +117,18 @@ private:
     std::vector<StippleParts::Place> places;
     for (const std::int32_t triangle : this->triangles.find(low, high))
     {
+      places.clear();
       parts.add(triangle, low, high, places);
-    }
-    std::vector<StippleCrowd::Candidate> result;
-    result.reserve(places.size());
-    for (const StippleParts::Place& place : places)
-    {
-      const glm::ivec3 offset = StippleCube::around(place.place, cube.level).cell - cube.cell + 1;
-      if ((this->filling.filled >> (offset.x + 3 * offset.y + 9 * offset.z) & 1u) == 0)
+      for (const StippleParts::Place& place : places)
       {
-        result.push_back({ this->inSides(place.place), place.normal, 0.0f, place.origin,
-          offset == glm::ivec3(1) });
+        const glm::ivec3 offset = StippleCube::around(place.place, cube.level).cell - cube.cell + 1;
+        if ((this->filling.filled >> (offset.x + 3 * offset.y + 9 * offset.z) & 1u) == 0)
+        {
+          crowd.offer({ this->inSides(place.place), place.normal, 0.0f, place.origin,
+            offset == glm::ivec3(1) });
+        }
       }
     }
-    return result;
   }
 
   // Those that come in within this octave or later matter only to places nearer than their rooms.

@@ -102,49 +102,23 @@ void StippleRefinement::need(
   }
 }
 
-bool StippleRefinement::refine(Work& work, const std::vector<Target>& targets)
+bool StippleRefinement::refine(Work& work, const std::vector<std::int32_t>& parents)
 {
-  std::vector<std::pair<StippleCube, std::int32_t>> front; // and the last level
-  std::int32_t last = 0;
-  for (const Target& target : targets)
+  std::map<std::int32_t, Codes> needed; // by level
+  for (const std::int32_t parent : parents)
   {
-    front.emplace_back(StippleCube::fromCode(work.nodes[at(target.node)].code), target.level);
-    last = std::max(last, target.level);
-  }
-  for (std::int32_t level = 1; level <= last; ++level)
-  {
-    std::vector<std::pair<StippleCube, std::int32_t>> next;
-    std::map<std::int32_t, Codes> needed;
-    for (const auto& [cube, lastLevel] : front)
+    const StippleCube cube = StippleCube::fromCode(work.nodes[at(parent)].code);
+    for (int i = 0; i < 8; ++i)
     {
-      if (cube.level + 1 != level || level > lastLevel)
+      if (this->meetsSurface(cube.child(i), work.levels))
       {
-        if (cube.level + 1 > level)
-        {
-          next.emplace_back(cube, lastLevel);
-        }
-        continue;
-      }
-      for (int i = 0; i < 8; ++i)
-      {
-        const StippleCube child = cube.child(i);
-        if (this->meetsSurface(child, work.levels))
-        {
-          next.emplace_back(child, lastLevel);
-          this->need(child, work.levels, needed);
-        }
+        this->need(cube.child(i), work.levels, needed);
       }
     }
-    for (const auto& [neededLevel, codes] : needed)
-    {
-      if (!this->make(work, codes))
-      {
-        return false;
-      }
-    }
-    front = std::move(next);
   }
-  return true;
+  return std::all_of(needed.begin(), needed.end(),
+    [&](const std::pair<const std::int32_t, Codes>& level)
+    { return this->make(work, level.second); });
 }
 
 bool StippleRefinement::make(Work& work, const Codes& level)

@@ -206,39 +206,31 @@ void StippleTree::setPositions(Span<const glm::dvec3> points, Span<const glm::dv
   placeAllPoints(this->allNodes, *this->shape, *this->levels);
 }
 
-std::int32_t StippleTree::levelFor(const StippleRequest& request) const
-{
-  const StippleNode& from = this->node(request.node);
-  std::int32_t level = from.level;
-  // Ratios of densities, now and on the reference, are about as in the node.
-  for (double held = from.heldDensity; held < request.density && level <= this->levels->lastLevel;
-       held *= 4.0)
-  {
-    ++level;
-  }
-  return level;
-}
-
 bool StippleTree::refine(Span<const StippleRequest> requests, const ProgressFn& progress)
 {
   checkRequests(requests, this->allNodes.size());
-  if (!this->refinement)
-  {
-    return requests.empty();
-  }
   bool isFineEnough = true;
-  std::vector<StippleRefinement::Target> targets;
-  targets.reserve(requests.size());
+  std::vector<std::int32_t> wanted;
+  wanted.reserve(requests.size());
   for (const StippleRequest& request : requests)
   {
-    const std::int32_t level = this->levelFor(request);
-    isFineEnough = isFineEnough && level <= this->levels->lastLevel;
-    targets.push_back({ request.node, std::min(level, this->levels->lastLevel) });
+    const StippleNode& from = this->node(request.node);
+    const bool isMissing = from.childCount == 0 && request.density > from.heldDensity;
+    const bool isFinest = from.childCount == 0 && from.level >= this->levels->lastLevel;
+    isFineEnough = isFineEnough && !isFinest;
+    if (isMissing)
+    {
+      wanted.push_back(request.node);
+    }
+  }
+  if (!this->refinement || wanted.empty())
+  {
+    return isFineEnough;
   }
   const std::size_t held = this->memory();
   StippleRefinement::Work work{ this->allNodes, *this->shape, *this->levels,
     this->budget > held ? this->budget - held : 0, progress };
-  return this->refinement->refine(work, targets) && isFineEnough;
+  return this->refinement->refine(work, wanted) && isFineEnough;
 }
 
 void StippleTree::dropRefinements()

@@ -134,12 +134,13 @@ const StippleCrowd::Around& StippleCrowd::aroundOf(const glm::ivec3& cell)
   return result;
 }
 
-void StippleCrowd::offer(Candidate candidate)
+void StippleCrowd::offer(const Candidate& candidate)
 {
   if (!this->isWithin(candidate.place))
   {
     return;
   }
+  float crowding = 0.0f;
   const Around& near = this->aroundOf(this->cellOf(candidate.place));
   for (std::int32_t i = near.begin; i < near.end; ++i)
   {
@@ -149,8 +150,8 @@ void StippleCrowd::offer(Candidate candidate)
     if (square < this->reachSquare && square < point.nearer * point.nearer &&
       stipplesMatter(candidate.normal, point.normal))
     {
-      candidate.crowding += stippleCrowding(square, this->reachSquare);
-      if (candidate.crowding > this->mostCrowded)
+      crowding += stippleCrowding(square, this->reachSquare);
+      if (crowding > this->mostCrowded)
       {
         return;
       }
@@ -162,10 +163,10 @@ void StippleCrowd::offer(Candidate candidate)
     byBorder = std::max(
       byBorder, stippleBorderCrowding(candidate.place, candidate.normal, border, this->reach));
   }
-  candidate.crowding += byBorder;
-  if (candidate.crowding <= this->mostCrowded)
+  if (crowding + byBorder <= this->mostCrowded)
   {
     this->candidates.push_back(candidate);
+    this->candidates.back().crowding = crowding + byBorder;
   }
 }
 

@@ -4,9 +4,9 @@
 #define hachure_StippleCrowd_h
 
 #include "StippleCandidates.h"
-#include "StippleNode.h"
 #include "StippleSurface.h"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstddef>
@@ -27,8 +27,9 @@ public:
     glm::vec3 place;
     glm::vec3 normal;
     float crowding = 0.0f; // see StippleNeighbourhood
-    StipplePlace origin;
-    bool isKept = false; // not used here
+    bool isKept = false;   // this and the following are not used here
+    std::int32_t triangle = 0;
+    glm::dvec2 weights{ 0.0 };
   };
   // A point that is there from the beginning for places nearer than `nearer`, and for all others
   // only when crowdBy() is told so.
@@ -46,7 +47,7 @@ public:
   void setAround(const std::vector<Point>& points, const std::vector<StippleBorder>& borders);
   // Takes a candidate unless it is more crowded than the limit, which is the same for all. Such as
   // become so are dropped.
-  void offer(Candidate candidate);
+  void offer(const Candidate& candidate);
   // After the last candidate.
   void begin();
 

@@ -34,7 +34,7 @@ constexpr double octaveRatio = 0.70710678118654752; // of radii: twice the densi
 constexpr int octavesOfLevel = 2;
 // Of the radius at the beginning of an octave:
 constexpr double reachRatio = 1.6;  // how far points matter
-constexpr double marginRatio = 3.0; // how far around the cube is filled for a time
+constexpr double marginRatio = 1.5; // how far around the cube is filled for a time
 constexpr double candidatesPerPoint = 24.0;
 
 // One octave of a filling.
@@ -48,6 +48,7 @@ public:
     , number(aNumber)
   {
     const StippleCube& cube = aFilling.cube;
+    this->sidesPerLength = 1.0 / cube.side();
     this->begin = StippleFilling::roomFor(levels.leastDensity(cube.level)) / cube.side() *
       std::pow(octaveRatio, aNumber);
     this->end = this->begin * octaveRatio;
@@ -86,7 +87,7 @@ public:
       known.push_back({ placed.place, placed.normal, room });
       if (placed.isKept)
       {
-        kept.push_back({ placed.origin,
+        kept.push_back({ StipplePlace(placed.triangle, placed.weights.x, placed.weights.y),
           StippleFilling::densityFor(static_cast<double>(room) * this->filling.cube.side()) });
       }
       crowd.crowdBy({ placed.place, placed.normal });
@@ -102,7 +103,7 @@ private:
 
   glm::vec3 inSides(const glm::dvec3& place) const
   {
-    return glm::vec3((place - this->middle) / this->filling.cube.side());
+    return glm::vec3((place - this->middle) * this->sidesPerLength);
   }
 
   void offerCandidates(StippleCrowd& crowd) const
@@ -124,8 +125,8 @@ private:
         const glm::ivec3 offset = StippleCube::around(place.place, cube.level).cell - cube.cell + 1;
         if ((this->filling.filled >> (offset.x + 3 * offset.y + 9 * offset.z) & 1u) == 0)
         {
-          crowd.offer({ this->inSides(place.place), place.normal, 0.0f, place.origin,
-            offset == glm::ivec3(1) });
+          crowd.offer({ this->inSides(place.place), place.normal, 0.0f, offset == glm::ivec3(1),
+            place.triangle, place.weights });
         }
       }
     }
@@ -188,6 +189,7 @@ private:
   const StippleFilling& filling;
   const StippleTriangles& triangles;
   int number;
+  double sidesPerLength;
   double begin, end, reach, margin; // in sides of the cube
   glm::dvec3 middle;                // scaled, as the area
   double partArea;

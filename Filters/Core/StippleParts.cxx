@@ -186,7 +186,7 @@ private:
       glm::all(glm::lessThan(place, this->high)))
     {
       this->places.push_back(
-        { place, this->normal, StipplePlace(this->triangle, secondWeight, thirdWeight) });
+        { place, this->normal, this->triangle, { secondWeight, thirdWeight } });
     }
   }
 

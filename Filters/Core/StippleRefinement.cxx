@@ -139,7 +139,8 @@ bool StippleRefinement::make(Work& work, const Codes& level)
 
 bool StippleRefinement::makeColour(Work& work, const std::vector<std::uint64_t>& codes)
 {
-  constexpr std::size_t batch = 32; // nodes made without a look at the room that is left
+  constexpr std::size_t perNode = 128; // in the tables of cubes
+  constexpr std::size_t batch = 32;    // nodes made without a look at the room that is left
   for (std::size_t first = 0; first < codes.size(); first += batch)
   {
     if (work.progress &&
@@ -152,7 +153,7 @@ bool StippleRefinement::makeColour(Work& work, const std::vector<std::uint64_t>&
       [&](std::int64_t i, std::int64_t) { made[at(i)] = this->fill(work, codes[first + at(i)]); });
     for (StippleNode& node : made)
     {
-      const std::size_t bytes = node.memory();
+      const std::size_t bytes = node.memory() + perNode;
       if (bytes > work.room)
       {
         return false;
@@ -233,6 +234,7 @@ void StippleRefinement::gatherFrom(
   const glm::dvec3 middle = cube.low() + 0.5 * side;
   const double farthest = 0.5 * side + reach;
   const double area = work.levels.frame.size * work.levels.frame.size;
+  const double least = work.levels.leastDensity(cube.level);
   for (std::size_t i = 0; i < node.places.size(); ++i)
   {
     const StipplePlace& place = node.places[i];
@@ -242,8 +244,9 @@ void StippleRefinement::gatherFrom(
       const double density = area * static_cast<double>(node.referenceDensities[i]);
       filling.given.push_back(
         { glm::vec3(offset / side), work.shape.referenceNormal(place.triangle),
-          from.level < cube.level ? std::numeric_limits<float>::infinity()
-                                  : static_cast<float>(StippleFilling::roomFor(density) / side) });
+          from.level < cube.level
+            ? std::numeric_limits<float>::infinity()
+            : static_cast<float>(StippleFilling::roomFor(density, least) / side) });
     }
   }
 }

@@ -99,7 +99,7 @@ public:
 
 private:
   void build(const StippleHierarchy& base, const StippleTreeOptions& options);
-  void prepareRefinement(std::uint32_t seed);
+  void prepareRefinement(std::uint32_t seed, std::size_t pointCount);
 
   std::unique_ptr<StippleShape> shape;
   std::unique_ptr<StippleLevels> levels;

@@ -17,8 +17,6 @@ namespace hachure
 namespace
 {
 
-// A node on a flat surface has three quarters of this to three times it of points.
-constexpr double leastPointsPerCube = 340.0;
 // Evenly spread points with the density 1 are as far apart as the root of this.
 constexpr double squareSpacing = 0.47;
 
@@ -181,7 +179,7 @@ void setDensities(StippleLevels& levels, const StippleHierarchy& base, bool hasM
   }
   levels.firstRefined = 1;
   while (levels.firstRefined < StippleCube::mostLevel / 2 &&
-    std::ldexp(levels.baseDensity, -2 * (levels.firstRefined + 1)) >= leastPointsPerCube / 3.0)
+    std::ldexp(levels.baseDensity, -2 * (levels.firstRefined + 1)) >= leastPointsPerSquare)
   {
     ++levels.firstRefined;
   }

@@ -164,20 +164,40 @@ TEST(StippleRefinement, OrderDoesNotMatter)
 {
   const Surface plane = unitPlane(5);
   const StippleHierarchy base = baseOf(plane, 2000);
-  StippleTree first(plane.mesh(), base), second(plane.mesh(), base), both(plane.mesh(), base);
-  refineIn(first, left, 100000.0);
-  refineIn(first, right, 100000.0);
-  for (const double density : { 3000.0, 20000.0, 50000.0, 100000.0 })
+  StippleTree forward(plane.mesh(), base), backward(plane.mesh(), base), once(plane.mesh(), base);
+  constexpr int strips = 12;
+  for (int i = 0; i < strips; ++i)
   {
-    refineIn(second, right, density);
+    const auto strip = [](int k) {
+      return boxAround({ (k + 0.5) / strips, 0.5, 0.0 }, { 1e-3, 1.0, 1.0 });
+    };
+    refineIn(forward, strip(i), 32000.0);
+    for (const double density : { 3000.0, 10000.0, 32000.0 }) // in small steps
+    {
+      refineIn(backward, strip(strips - 1 - i), density);
+    }
   }
-  refineIn(second, left, 100000.0);
-  const Box around = { glm::min(left.low, right.low), glm::max(left.high, right.high) };
-  refineIn(both, around, 100000.0);
-  expectEqualNodes(first, second);
-  const std::map<std::uint64_t, NamedPoint> all = namedPoints(both);
-  EXPECT_GT(namedPoints(first).size(), 10000u);
-  for (const auto& [identity, point] : namedPoints(first))
+  const Box everywhere;
+  refineIn(forward, everywhere, 32000.0);
+  refineIn(backward, everywhere, 32000.0);
+  refineIn(once, everywhere, 32000.0);
+  EXPECT_GT(namedPoints(once).size(), 30000u);
+  expectEqualNodes(forward, backward);
+  expectEqualNodes(forward, once);
+}
+
+TEST(StippleRefinement, APartIsAsInTheWhole)
+{
+  const Surface plane = unitPlane(5);
+  const StippleHierarchy base = baseOf(plane, 2000);
+  StippleTree part(plane.mesh(), base), whole(plane.mesh(), base);
+  refineIn(part, left, 100000.0);
+  refineIn(whole, right, 100000.0);
+  refineIn(whole, { glm::min(left.low, right.low), glm::max(left.high, right.high) }, 100000.0);
+  const std::map<std::uint64_t, NamedPoint> all = namedPoints(whole);
+  const std::map<std::uint64_t, NamedPoint> points = namedPoints(part);
+  EXPECT_GT(points.size(), 10000u);
+  for (const auto& [identity, point] : points)
   {
     ASSERT_EQ(all.count(identity), 1u);
     ASSERT_TRUE(all.at(identity) == point);

@@ -19,6 +19,7 @@ StippleCrowd::StippleCrowd(float width, float aReach, float aMostCrowded)
   , reach(aReach)
   , reachSquare(aReach * aReach)
   , mostCrowded(aMostCrowded)
+  , cellsPerLength(1.0f / aReach)
   , count(std::max(1, static_cast<int>(std::ceil(width / aReach))))
 {
 }
@@ -30,7 +31,7 @@ bool StippleCrowd::isWithin(const glm::vec3& place) const
 
 glm::ivec3 StippleCrowd::cellOf(const glm::vec3& place) const
 {
-  const glm::ivec3 cell((place + this->half) / this->reach); // above 0: cut off is floor
+  const glm::ivec3 cell((place + this->half) * this->cellsPerLength); // above 0: cut off is floor
   return glm::clamp(cell, glm::ivec3(0), glm::ivec3(this->count - 1));
 }
 
@@ -55,7 +56,8 @@ template <class T>
 std::vector<std::int32_t> StippleCrowd::sortByCell(
   const std::vector<T>& items, std::vector<std::int32_t>& firstOfCell) const
 {
-  const auto cellCount = static_cast<std::size_t>(this->count * this->count * this->count);
+  const auto side = static_cast<std::size_t>(this->count);
+  const std::size_t cellCount = side * side * side;
   firstOfCell.assign(cellCount + 1, 0);
   std::vector<std::int32_t> cellOfItem(items.size(), -1);
   for (std::size_t i = 0; i < items.size(); ++i)
@@ -122,12 +124,21 @@ const StippleCrowd::Around& StippleCrowd::aroundOf(const glm::ivec3& cell)
   {
     result.isKnown = true;
     result.begin = static_cast<std::int32_t>(this->aroundPoints.size());
+    const auto add = [this](std::size_t other)
+    {
+      this->aroundPoints.insert(this->aroundPoints.end(),
+        this->points.begin() + this->firstPoint[other],
+        this->points.begin() + this->firstPoint[other + 1]);
+    };
+    const std::size_t own = this->indexOf(cell);
+    add(own); // most places are left out because of a point near by
     this->visitAround(cell,
-      [this](std::size_t other)
+      [&](std::size_t other)
       {
-        this->aroundPoints.insert(this->aroundPoints.end(),
-          this->points.begin() + this->firstPoint[other],
-          this->points.begin() + this->firstPoint[other + 1]);
+        if (other != own)
+        {
+          add(other);
+        }
       });
     result.end = static_cast<std::int32_t>(this->aroundPoints.size());
   }

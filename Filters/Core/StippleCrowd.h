@@ -75,7 +75,9 @@ private:
   glm::ivec3 cellOf(const glm::vec3& place) const;
   std::size_t indexOf(const glm::ivec3& cell) const
   {
-    return static_cast<std::size_t>((cell.z * this->count + cell.y) * this->count + cell.x);
+    const auto side = static_cast<std::size_t>(this->count);
+    return (static_cast<std::size_t>(cell.z) * side + static_cast<std::size_t>(cell.y)) * side +
+      static_cast<std::size_t>(cell.x);
   }
   template <class Visit>
   void visitBlock(const glm::ivec3& low, const glm::ivec3& high, Visit&& visit) const;
@@ -92,7 +94,7 @@ private:
   const Around& aroundOf(const glm::ivec3& cell);
   void findBest(Cell& cell);
 
-  float half, reach, reachSquare, mostCrowded;
+  float half, reach, reachSquare, mostCrowded, cellsPerLength;
   int count;                            // of cells along an axis
   std::vector<Point> points;            // cell by cell
   std::vector<std::int32_t> firstPoint; // of each cell

@@ -139,8 +139,8 @@ private:
     const double half = (0.5 + this->margin) * cube.side();
     const glm::dvec3 low = this->middle - half;
     const glm::dvec3 high = this->middle + half;
-    const std::uint64_t seed = hashPair(
-      this->filling.seed, static_cast<std::uint64_t>(octavesOfLevel * cube.level + this->number));
+    const int octave = octavesOfLevel * cube.level + this->number;
+    const std::uint64_t seed = hashPair(this->filling.seed, static_cast<std::uint64_t>(octave));
     const StippleParts parts(this->triangles, this->partArea, seed);
     std::vector<StippleParts::Place> places;
     for (const std::int32_t triangle : this->triangles.find(low, high))

@@ -18,7 +18,7 @@ using namespace hachure;
 TEST(StippleTree, HasThePointsOfTheBase)
 {
   const Surface sphere = unitSphere(20);
-  const StippleHierarchy base = baseOf(sphere, 20000);
+  const StippleHierarchy base = baseOf(sphere, 6000);
   const StippleTree tree(sphere.mesh(), base);
   std::vector<int> seen(base.points.size());
   visitNodes(tree, Box(),
@@ -35,13 +35,13 @@ TEST(StippleTree, HasThePointsOfTheBase)
         ASSERT_FLOAT_EQ(node.density()[i], static_cast<float>((rank + 1) / base.area));
       }
     });
-  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 20000);
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 6000);
 }
 
 TEST(StippleTree, BoundsHoldWhatIsBelow)
 {
   const Surface sphere = unitSphere(20);
-  const StippleTree tree(sphere.mesh(), baseOf(sphere, 20000));
+  const StippleTree tree(sphere.mesh(), baseOf(sphere, 6000));
   int nodes = 0, largest = 0;
   visitNodes(tree, Box(),
     [&](const StippleNode& node, std::int32_t index)
@@ -68,9 +68,9 @@ TEST(StippleTree, BoundsHoldWhatIsBelow)
 TEST(StippleTree, NumbersFollowDensity)
 {
   const Surface sphere = unitSphere(20);
-  const StippleTree tree(sphere.mesh(), baseOf(sphere, 20000));
+  const StippleTree tree(sphere.mesh(), baseOf(sphere, 6000));
   const double area = 4.0 * std::acos(-1.0);
-  for (const double wanted : { 100.0, 1000.0, 7000.0, 20000.0 })
+  for (const double wanted : { 100.0, 1000.0, 3000.0, 6000.0 })
   {
     EXPECT_NEAR(pointsIn(tree, Box(), wanted / area).size(), wanted, 0.01 * wanted);
   }
@@ -79,8 +79,8 @@ TEST(StippleTree, NumbersFollowDensity)
 TEST(StippleTree, PointsAreSmall)
 {
   const Surface plane = unitPlane(1);
-  const StippleTree tree(plane.mesh(), baseOf(plane, 20000));
-  EXPECT_LE(tree.memory(), 52u * 20000u);
+  const StippleTree tree(plane.mesh(), baseOf(plane, 6000));
+  EXPECT_LE(tree.memory(), 52u * 6000u);
 }
 
 TEST(StippleTree, AStretchedMeshHasFewerPointsPerArea)

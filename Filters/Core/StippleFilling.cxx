@@ -70,14 +70,14 @@ class Octave
 {
 public:
   Octave(const StippleFilling& aFilling, const StippleTriangles& someTriangles,
-    const StippleLevels& levels, int aNumber)
+    const StippleLevels& levels, int someNumber)
     : filling(aFilling)
     , triangles(someTriangles)
-    , number(aNumber)
+    , number(someNumber)
   {
     const StippleCube& cube = aFilling.cube;
     this->sidesPerLength = 1.0 / cube.side();
-    this->beginDensity = std::ldexp(levels.leastDensity(cube.level), aNumber);
+    this->beginDensity = std::ldexp(levels.leastDensity(cube.level), someNumber);
     this->begin = StippleFilling::gapFor(this->beginDensity) / cube.side();
     this->end = this->begin * octaveRatio;
     this->reach = reachRatio * this->begin;

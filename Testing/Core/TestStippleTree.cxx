@@ -61,7 +61,7 @@ TEST(StippleTree, BoundsHoldWhatIsBelow)
         }
       }
     });
-  EXPECT_LT(largest, 1500);
+  EXPECT_LE(largest, 1500); // the root, a quarter of all
   EXPECT_LT(nodes, 200);
 }
 

@@ -106,8 +106,9 @@ public:
   ///@}
 
   ///@{
-  /** Memory that all stipples of a surface may take, MiB; those made at first are kept in any case.
-   * Range 0 to 1048576, default 256. */
+  /** Memory that the stipples of a surface which Refinement makes may take, MiB. Where other views
+   * have spent most of it, those of that part are made anew, the same ones, when they are seen
+   * again. Range 0 to 1048576, default 256. */
   vtkSetClampMacro(MemoryBudget, int, 0, 1048576);
   vtkGetMacro(MemoryBudget, int);
   ///@}

@@ -124,10 +124,13 @@ void vtkStippleLayerPainter::Draw(
   look.growth = static_cast<float>(this->Layer->GetGrowth());
   look.toneBySize = this->Layer->GetCarrier() == vtkStippleLayer::SIZE;
   const hachure::StippleDrawing drawing(seen, look);
-  const bool refines = this->Layer->GetRefinement();
+  constexpr std::size_t bytesPerMiB = 1 << 20;
+  tree->setBudget(static_cast<std::size_t>(this->Layer->GetMemoryBudget()) * bytesPerMiB);
+  const bool refines = this->Layer->GetRefinement() && tree->canRefine();
   const bool enough = hachure::drawStipples(*tree, drawing, refines, this->Drawn);
-  this->Note = enough || !refines ? std::string()
-                                  : "stipples take all of the memory budget of " +
+  this->Note = enough || !refines
+    ? std::string()
+    : "stipples that views asked for take all of the memory budget of " +
       std::to_string(this->Layer->GetMemoryBudget()) +
       " MiB; where more would be needed they are drawn larger";
   this->Discs.clear();

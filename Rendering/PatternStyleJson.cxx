@@ -165,7 +165,7 @@ void describePaper(StyleArchive& archive, vtkPatternStyle* style)
 {
   using Style = vtkPatternStyle;
   archive.choice("source", style, &Style::GetPaperSource, &Style::SetPaperSource,
-    { "constant", "surface", "flat" });
+    { "constant", "surface", "flat", "none" });
   archive.color("color", style, &Style::GetPaperColor, &Style::SetPaperColor);
   archive.resolution("dotsPerInch");
 }

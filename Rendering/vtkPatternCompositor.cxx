@@ -109,6 +109,20 @@ const char* BlendFunction(int mode)
   }
 }
 
+// A colour of the shader.
+const char* PaperColor(int source)
+{
+  switch (source)
+  {
+    case vtkPatternStyle::CONSTANT:
+      return "hachurePaper";
+    case vtkPatternStyle::NO_PAPER:
+      return "hachurePaperHere";
+    default:
+      return "hachureSurfaceHere";
+  }
+}
+
 // What a layer's shader text takes its tone from.
 std::string ToneExpression(vtkPatternTone* tone, int channel)
 {
@@ -176,7 +190,7 @@ void vtkPatternCompositor::Update(vtkPatternStyle* style, const vtkPatternToneCh
     }
   }
   this->Painters = std::move(kept);
-  this->UpdateText(style->GetPaperSource() == vtkPatternStyle::CONSTANT);
+  this->UpdateText(style->GetPaperSource());
   this->UpdateTables(window);
 }
 
@@ -291,18 +305,19 @@ std::string vtkPatternCompositor::StackText(bool forward) const
     elsewhere ? vtkPattern::ShaderSection(PatternColorAt, forward ? "Forward" : "Images")
               : std::string());
   vtkShaderProgram::Substitute(text, "LAYERS", std::to_string(this->Layers.size()));
-  vtkShaderProgram::Substitute(
-    text, "PAPER", this->PlainPaper ? "hachurePaper" : "hachureSurfaceHere");
+  vtkShaderProgram::Substitute(text, "PAPER", PaperColor(this->PaperSource));
   vtkShaderProgram::Substitute(text, "//Hachure::Layers::Dec", declarations);
   vtkShaderProgram::Substitute(text, "  //Hachure::Layers::Impl", calls);
   return text;
 }
 
-void vtkPatternCompositor::UpdateText(bool plainPaper)
+void vtkPatternCompositor::UpdateText(int paperSource)
 {
-  this->PlainPaper = plainPaper;
+  this->PaperSource = paperSource;
   const std::string declarations = this->Declarations(false);
-  this->Colors = !plainPaper || declarations.find("hachureColorAt") != std::string::npos ||
+  const bool colored =
+    paperSource == vtkPatternStyle::SURFACE || paperSource == vtkPatternStyle::FLAT;
+  this->Colors = colored || declarations.find("hachureColorAt") != std::string::npos ||
     declarations.find("hachureSurfaceHere") != std::string::npos;
   this->ShaderText = this->StackText(false);
 }

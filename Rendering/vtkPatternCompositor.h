@@ -79,7 +79,7 @@ private:
   using FieldFunction = std::string (vtkPatternLayerPainter::*)(
     const vtkPatternLayerPainter::FieldScene&, int);
   std::string ForFields(FieldFunction draw, const vtkPatternLayerPainter::FieldScene& scene);
-  void UpdateText(bool plainPaper);
+  void UpdateText(int paperSource);
   std::string Declarations(bool forward) const;
   std::string StackText(bool forward) const;
   void SetSurfaceUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
@@ -92,7 +92,7 @@ private:
   std::vector<Drawn> Layers;
   Octaves TimedOctaves;
   std::string ShaderText;
-  bool PlainPaper = false;
+  int PaperSource = 0; // as the style has it
   vtkNew<vtkTextureObject> Tables;
   std::vector<std::pair<vtkPatternLayerPainter*, unsigned long>> TableState;
   std::size_t TableRows = 0;

@@ -5,6 +5,7 @@
 #include "vtkHachureCompatibility.h"
 
 #include "PatternOutline.h"
+#include "PatternPicture.h"
 #include "PatternPlaceFS.h"
 #include "PatternScreenFS.h"
 #include "PatternScreenVS.h"
@@ -87,6 +88,9 @@ std::string vtkPatternScreenPass::Text(
 {
   std::string text = PatternScreenFS;
   vtkShaderProgram::Substitute(text, "//Hachure::Compose::Dec", compositor.GetShaderText(false));
+  vtkShaderProgram::Substitute(text, "  //Hachure::Picture::Impl",
+    vtkPattern::ShaderSection(
+      PatternPicture, style->GetPaperSource() == vtkPatternStyle::NO_PAPER ? "NoPaper" : "Paper"));
   const vtkPatternAttributes needed = compositor.GetAttributes();
   std::string surfaceDec;
   std::string surfaceImpl;
@@ -200,15 +204,17 @@ bool vtkPatternScreenPass::Draw(
 
 namespace
 {
-// Draws a quad over a rectangle of the framebuffer, without blending.
-void RenderWithin(
-  vtkOpenGLState* state, const std::array<int, 4>& rectangle, vtkOpenGLQuadHelper& quad)
+// Draws a quad over a rectangle of the framebuffer; blends: over what is there, else instead.
+void RenderWithin(vtkOpenGLState* state, const std::array<int, 4>& rectangle,
+  vtkOpenGLQuadHelper& quad, bool blends = false)
 {
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
   vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
   vtkOpenGLState::ScopedglScissor scissor(state);
-  state->vtkglDisable(GL_BLEND);
+  state->SetEnumState(GL_BLEND, blends);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(rectangle[0], rectangle[1], rectangle[2], rectangle[3]);
@@ -248,7 +254,8 @@ void vtkPatternScreenPass::Place(const Scene& scene, vtkPatternWindowResources& 
   resources.SurfaceDepth->Activate();
   program->SetUniformi("hachureDrawn", resources.DrawnColor->GetTextureUnit());
   program->SetUniformi("hachureSurfaceDepth", resources.SurfaceDepth->GetTextureUnit());
-  RenderWithin(scene.Window->GetState(), scene.Rectangle, *this->PlaceQuad);
+  RenderWithin(scene.Window->GetState(), scene.Rectangle, *this->PlaceQuad,
+    scene.Style->GetPaperSource() == vtkPatternStyle::NO_PAPER);
   resources.SurfaceDepth->Deactivate();
   resources.DrawnColor->Deactivate();
 }

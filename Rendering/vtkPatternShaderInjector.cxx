@@ -267,7 +267,8 @@ std::string vtkPatternShaderInjector::StageText(bool colors) const
   if (this->Stage == FORWARD)
   {
     const std::string ids = this->DrawsIds() ? Section("IdsForward") : std::string();
-    return this->SurfaceOutputs() + ids + Section("Forward");
+    const bool bare = this->ComposeText.find("hachurePaperHere;") != std::string::npos;
+    return this->SurfaceOutputs() + ids + Section(bare ? "ForwardNoPaper" : "Forward");
   }
   const std::string peel = this->Stage == PEEL ? Section("PeelFSImpl") : std::string();
   const std::string text = peel + Section("Attributes") + this->SurfaceOutputs();

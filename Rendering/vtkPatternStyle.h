@@ -38,12 +38,16 @@ public:
   vtkTypeMacro(vtkPatternStyle, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** What the paper shows: one colour, the lit surface, or the surface's colours without light. */
+  /** What the paper shows: one colour, the lit surface, or the surface's colours without light.
+   * NO_PAPER: marks and outline alone are drawn, and hide what is behind them; between them one
+   * sees what was drawn before, and what the surface hides of itself stays hidden. Inks mix with
+   * the background in display-referred colours there. */
   enum PaperSourceType
   {
     CONSTANT = 0,
     SURFACE = 1,
-    FLAT = 2
+    FLAT = 2,
+    NO_PAPER = 3
   };
 
   /** TRACKED: patterns follow from frame to frame, by what was visible. ANCHORED: a frame depends
@@ -91,7 +95,7 @@ public:
 
   ///@{
   /** What the paper shows, one of PaperSourceType; default CONSTANT. */
-  vtkSetClampMacro(PaperSource, int, CONSTANT, FLAT);
+  vtkSetClampMacro(PaperSource, int, CONSTANT, NO_PAPER);
   vtkGetMacro(PaperSource, int);
   ///@}
 

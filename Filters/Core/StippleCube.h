@@ -83,7 +83,7 @@ struct StippleLevels
   glm::dvec3 low{ 0.0 }, high{ 0.0 }; // of the reference, in units of the mesh
   double baseDensity = 0.0;           // of all points of the base
   std::int32_t firstRefined = 1;      // level at which the base ends
-  bool canRefine = false;
+  std::int32_t lastLevel = -1;        // that can be refined to; -1: none
 
   double leastDensity(std::int32_t level) const
   {

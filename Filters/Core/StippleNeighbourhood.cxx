@@ -11,12 +11,7 @@ namespace hachure
 namespace
 {
 
-// A border keeps points away as a point so many times as far away as it: about as if they were
-// mirrored there. Measured: with 2 there is an empty strip along the border, without it a row of
-// points on it.
-constexpr float mirrorDistance = 3.1f;
-// Borders of other sheets do not matter.
-constexpr float borderCosine = 0.5f;
+constexpr float borderCosine = 0.5f; // of one sheet
 
 std::vector<StippleBorder> cut(const std::vector<StippleBorder>& borders, float longest)
 {
@@ -47,6 +42,17 @@ float distanceToBorder(const glm::vec3& place, const StippleBorder& border)
 }
 
 } // namespace
+
+float stippleBorderCrowding(
+  const glm::vec3& place, const glm::vec3& normal, const StippleBorder& border, float reach)
+{
+  if (!(glm::dot(border.normal, normal) > borderCosine))
+  {
+    return 0.0f;
+  }
+  const float distance = stippleMirrorDistance * distanceToBorder(place, border);
+  return stippleCrowding(distance * distance, reach * reach);
+}
 
 StippleNeighbourhood::StippleNeighbourhood(const std::vector<StippleCandidate>& somePlaced,
   const std::vector<StippleBorder>& borders, float aReach)
@@ -124,15 +130,12 @@ float StippleNeighbourhood::crowding(
       sum += stippleCrowding(square, reachSquare);
     }
   }
-  float nearest = this->reach;
+  float byBorder = 0.0f;
   for (const StippleBorder& border : block.borders)
   {
-    if (glm::dot(border.normal, normal) > borderCosine)
-    {
-      nearest = std::min(nearest, mirrorDistance * distanceToBorder(place, border));
-    }
+    byBorder = std::max(byBorder, stippleBorderCrowding(place, normal, border, this->reach));
   }
-  return sum + stippleCrowding(nearest * nearest, reachSquare);
+  return sum + byBorder;
 }
 
 float StippleNeighbourhood::leastCrowding(

@@ -41,6 +41,15 @@ inline float stippleRoom(float crowding, float reach)
   return reach * std::pow(1.0f + crowding, -0.125f);
 }
 
+// A border keeps points away as a point so many times as far away as it: about as if they were
+// mirrored there. Measured: with 2 there is an empty strip along the border, without it a row of
+// points on it.
+constexpr float stippleMirrorDistance = 3.1f;
+
+// By the nearest place of a border; borders of other sheets do not matter.
+float stippleBorderCrowding(
+  const glm::vec3& place, const glm::vec3& normal, const StippleBorder& border, float reach);
+
 // All that keeps further points away: the points that are there, and the open borders.
 class StippleNeighbourhood
 {

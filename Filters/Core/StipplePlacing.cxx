@@ -177,7 +177,7 @@ void placePoints(StippleNode& node, const StippleShape& shape, const StippleLeve
   setCone(node.own, node);
   widenOwn(node, shape, levels, ratios.widest);
   node.heldDensity = std::numeric_limits<double>::infinity();
-  if (levels.canRefine && node.level < StippleCube::mostLevel)
+  if (node.level < levels.lastLevel)
   {
     const double held = levels.inUnitsOfMesh(4.0 * levels.leastDensity(node.level));
     // What is still to be made is above that on the reference.

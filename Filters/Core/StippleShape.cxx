@@ -52,6 +52,11 @@ glm::dvec3 StippleShape::areaVector(
     points[static_cast<std::size_t>(ids.z)] - first);
 }
 
+glm::vec3 StippleShape::referenceNormal(std::int32_t triangle) const
+{
+  return glm::vec3(unitOrZero(this->areaVector(this->reference, triangle)));
+}
+
 glm::vec3 StippleShape::presentNormal(std::int32_t triangle) const
 {
   if (this->isMesh)

@@ -45,6 +45,7 @@ public:
     return this->placeIn(this->isMoved() ? this->present : this->reference, place);
   }
   // Of unit length, or 0.
+  glm::vec3 referenceNormal(std::int32_t triangle) const; // of a mesh
   glm::vec3 presentNormal(std::int32_t triangle) const;
   // Reference area / present area; infinite where there is no present area.
   double densityRatio(std::int32_t triangle) const;

@@ -167,6 +167,7 @@ void findBorders(StippleSurface& surface)
     if (!isShared)
     {
       surface.borders.push_back(borderOf(surface, sides[i].item));
+      surface.openSides.push_back(sides[i].item);
     }
   }
 }

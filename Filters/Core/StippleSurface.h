@@ -41,6 +41,8 @@ struct StippleSurface
   // Area of all before it, scaled; and that of all as the last.
   std::vector<double> areaBefore;
   std::vector<StippleBorder> borders; // sides of one triangle only
+  // The same: three times the triangle and the corner that the side begins with.
+  std::vector<std::int64_t> openSides;
 
   double area() const { return this->areaBefore.back(); }
   std::array<glm::dvec3, 3> corners(std::int32_t triangle) const

@@ -6,14 +6,18 @@
 #include "Random.h"
 #include "StippleCube.h"
 #include "StipplePlacing.h"
+#include "StippleRefinement.h"
 #include "StippleShape.h"
 #include "StippleTreeBase.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace hachure
 {
@@ -64,6 +68,43 @@ StippleFrame frameOf(const StippleShape& shape)
   return frame;
 }
 
+// Up to the spacing at which places are still right to a thousandth of it.
+std::int32_t lastLevelFor(const StippleSurface& surface, const StippleLevels& levels)
+{
+  double longest = 0.0;
+  for (const std::int32_t triangle : surface.triangles)
+  {
+    const std::array<glm::dvec3, 3> corners = surface.corners(triangle);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      longest = std::max(longest, glm::length(corners[i] - corners[(i + 1) % 3]));
+    }
+  }
+  const double leastRoom = 1000.0 * StipplePlace::weightUnit * longest;
+  std::int32_t level = levels.firstRefined - 1;
+  while (level < StippleCube::mostLevel &&
+    StippleFilling::roomFor(levels.leastDensity(level + 2)) > leastRoom)
+  {
+    ++level;
+  }
+  return level;
+}
+
+void checkRequests(Span<const StippleRequest> requests, std::size_t nodeCount)
+{
+  for (std::size_t i = 0; i < requests.size(); ++i)
+  {
+    const bool isNode =
+      requests[i].node >= 0 && static_cast<std::size_t>(requests[i].node) < nodeCount;
+    if (!isNode || std::isnan(requests[i].density))
+    {
+      throw std::invalid_argument("requests[" + std::to_string(i) + "]: node " +
+        std::to_string(requests[i].node) + " of " + std::to_string(nodeCount) + ", density " +
+        std::to_string(requests[i].density));
+    }
+  }
+}
+
 } // namespace
 
 StippleTree::StippleTree(
@@ -101,17 +142,44 @@ void StippleTree::build(const StippleHierarchy& base, const StippleTreeOptions& 
   {
     return;
   }
+  this->budget = options.budget;
   this->levels->frame = frameOf(*this->shape);
   setBounds(*this->levels, this->shape->referencePoints());
+  if (hasEvenRanks(base, this->shape->hasMesh()))
+  {
+    this->prepareRefinement(options.seed);
+  }
   setDensities(*this->levels, base, this->shape->hasMesh());
-  this->allNodes = makeBaseNodes(base, *this->shape, *this->levels, {});
+  std::vector<std::uint64_t> cubes;
+  if (this->refinement)
+  {
+    this->levels->lastLevel = lastLevelFor(this->refinement->surface().surface(), *this->levels);
+    cubes = this->refinement->surface().cubes(this->levels->firstRefined - 1);
+  }
+  this->allNodes = makeBaseNodes(base, *this->shape, *this->levels, cubes);
   if (!goesOn(0.7))
   {
     this->allNodes.clear();
     return;
   }
   placeAllPoints(this->allNodes, *this->shape, *this->levels);
+  this->baseCount = this->allNodes.size();
+  if (this->refinement)
+  {
+    this->refinement->enterBase(this->allNodes);
+  }
   goesOn(1.0);
+}
+
+void StippleTree::prepareRefinement(std::uint32_t seed)
+{
+  StippleSurface surface = makeStippleSurface(this->shape->referenceMesh());
+  if (!surface.triangles.empty())
+  {
+    this->levels->frame = surface.frame;
+    this->refinement =
+      std::make_unique<StippleRefinement>(StippleTriangles(std::move(surface)), seed);
+  }
 }
 
 std::uint64_t StippleTree::identity(std::int32_t node, std::int32_t point) const
@@ -138,21 +206,61 @@ void StippleTree::setPositions(Span<const glm::dvec3> points, Span<const glm::dv
   placeAllPoints(this->allNodes, *this->shape, *this->levels);
 }
 
-bool StippleTree::refine(Span<const StippleRequest>, const ProgressFn&)
+std::int32_t StippleTree::levelFor(const StippleRequest& request) const
 {
-  return false;
+  const StippleNode& from = this->node(request.node);
+  std::int32_t level = from.level;
+  // Ratios of densities, now and on the reference, are about as in the node.
+  for (double held = from.heldDensity; held < request.density && level <= this->levels->lastLevel;
+       held *= 4.0)
+  {
+    ++level;
+  }
+  return level;
 }
 
-bool StippleTree::canRefine() const
+bool StippleTree::refine(Span<const StippleRequest> requests, const ProgressFn& progress)
 {
-  return this->levels && this->levels->canRefine;
+  checkRequests(requests, this->allNodes.size());
+  if (!this->refinement)
+  {
+    return requests.empty();
+  }
+  bool isFineEnough = true;
+  std::vector<StippleRefinement::Target> targets;
+  targets.reserve(requests.size());
+  for (const StippleRequest& request : requests)
+  {
+    const std::int32_t level = this->levelFor(request);
+    isFineEnough = isFineEnough && level <= this->levels->lastLevel;
+    targets.push_back({ request.node, std::min(level, this->levels->lastLevel) });
+  }
+  const std::size_t held = this->memory();
+  StippleRefinement::Work work{ this->allNodes, *this->shape, *this->levels,
+    this->budget > held ? this->budget - held : 0, progress };
+  return this->refinement->refine(work, targets) && isFineEnough;
 }
 
-void StippleTree::dropRefinements() {}
+void StippleTree::dropRefinements()
+{
+  if (!this->refinement || this->allNodes.size() == this->baseCount)
+  {
+    return;
+  }
+  this->refinement->forget(this->baseCount);
+  this->allNodes.resize(this->baseCount);
+  for (std::size_t i = this->baseCount; i-- > 0;)
+  {
+    StippleNode& node = this->allNodes[i];
+    const bool isLast = node.level + 1 >= this->levels->firstRefined;
+    node.childCount = isLast ? 0 : node.childCount;
+    gatherBounds(this->allNodes, node);
+  }
+}
 
 std::size_t StippleTree::memory() const
 {
-  std::size_t bytes = this->shape->memory();
+  std::size_t bytes = this->shape->memory() + (this->refinement ? this->refinement->memory() : 0);
   for (const StippleNode& node : this->allNodes)
   {
     bytes += node.memory();

@@ -26,6 +26,7 @@
 namespace hachure
 {
 
+class StippleRefinement;
 class StippleShape;
 struct StippleLevels;
 
@@ -77,7 +78,7 @@ public:
   // for a point of the base, at least 2^63 for others.
   std::uint64_t identity(std::int32_t node, std::int32_t point) const;
 
-  bool canRefine() const;
+  bool canRefine() const { return this->refinement != nullptr; }
   // Makes all points in the cubes of the nodes up to the wanted densities. False if the budget was
   // spent, the finest level (spacings of 1e-6 of the mesh's size or so) reached or the progress
   // function stopped it: then a node has either all of its children or none. Throws
@@ -96,10 +97,15 @@ public:
 
 private:
   void build(const StippleHierarchy& base, const StippleTreeOptions& options);
+  void prepareRefinement(std::uint32_t seed);
+  std::int32_t levelFor(const StippleRequest& request) const;
 
   std::unique_ptr<StippleShape> shape;
   std::unique_ptr<StippleLevels> levels;
   std::vector<StippleNode> allNodes;
+  std::size_t baseCount = 0; // of nodes
+  std::size_t budget = 0;
+  std::unique_ptr<StippleRefinement> refinement; // if there can be one
 };
 
 } // namespace hachure

@@ -27,12 +27,6 @@ std::size_t at(std::int64_t index)
   return static_cast<std::size_t>(index);
 }
 
-// Progressive points of a mesh are evenly spread over a known area.
-bool hasEvenRanks(const StippleHierarchy& base, bool hasMesh)
-{
-  return hasMesh && base.area > 0.0 && base.firstNeighbour.empty();
-}
-
 double densityOf(const StippleHierarchy& base, bool hasMesh, std::size_t rank)
 {
   if (hasEvenRanks(base, hasMesh))
@@ -141,6 +135,11 @@ void takePoints(StippleNode& node, const StippleHierarchy& base, const std::vect
 }
 
 } // namespace
+
+bool hasEvenRanks(const StippleHierarchy& base, bool hasMesh)
+{
+  return hasMesh && base.area > 0.0 && base.firstNeighbour.empty();
+}
 
 void checkBase(const StippleHierarchy& base, const StippleShape& shape)
 {

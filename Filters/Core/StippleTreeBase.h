@@ -17,6 +17,9 @@ namespace hachure
 // Throws std::invalid_argument for points that are not on the shape, and more than there are ranks.
 void checkBase(const StippleHierarchy& base, const StippleShape& shape);
 
+// Whether the points are evenly spread over a known area in the order of their ranks.
+bool hasEvenRanks(const StippleHierarchy& base, bool hasMesh);
+
 // Of a checked base that has points; frame and bounds of the shape are set already.
 void setDensities(StippleLevels& levels, const StippleHierarchy& base, bool hasMesh);
 

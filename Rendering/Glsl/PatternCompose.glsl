@@ -1,6 +1,6 @@
 // The stack of layers on paper, evaluated at one point of the picture. Shared by the screen pass
 // of opaque surfaces and by the forward shader of translucent ones. PAPER is the colour of the paper:
-// hachurePaper or hachureSurfaceHere.
+// hachurePaper, hachureSurfaceHere or, where there is none, hachurePaperHere.
 
 uniform vec4 hachurePixelMap;  // logical pixel = fragment * xy + zw
 uniform vec3 hachurePaper;     // linear colour
@@ -12,6 +12,7 @@ uniform float hachureTableRows;      // number of these rows
 //Hachure::Seen::Dec
 
 vec3 hachureSurfaceHere = vec3(0.0); // linear colour of the surface, set by hachureCompose
+vec3 hachurePaperHere = vec3(1.0);   // linear colour of what is tried in place of a paper
 
 vec3 hachureUnpackNormal(float packedNormal)
 {

@@ -5,18 +5,19 @@
 
 in vec2 texCoord;
 
-uniform sampler2D hachureDrawn;        // display-referred colour
+uniform sampler2D hachureDrawn;        // display-referred colour times alpha
 uniform sampler2D hachureSurfaceDepth; // window depth, 1 where nothing was drawn
 
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   float depth = texelFetch(hachureSurfaceDepth, pixel, 0).r;
-  // The second part never holds; the quad must use all of its attributes.
-  if (depth >= 1.0 || texCoord.x < 0.0)
+  vec4 drawn = texelFetch(hachureDrawn, pixel, 0);
+  // The last part never holds; the quad must use all of its attributes.
+  if (depth >= 1.0 || drawn.a <= 0.0 || texCoord.x < 0.0)
   {
     discard;
   }
-  gl_FragData[0] = vec4(texelFetch(hachureDrawn, pixel, 0).rgb, 1.0);
+  gl_FragData[0] = drawn;
   gl_FragDepth = depth;
 }

@@ -17,6 +17,15 @@ uniform sampler2D hachureSurfaceDepth;  // window depth, 1 where nothing was dra
 
 //Hachure::Outline::Dec
 
+// Display-referred.
+vec3 hachurePicture(ivec2 pixel, float depth, vec4 surface, vec4 tones, bool hasData)
+{
+  vec3 color = hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), surface.rgb, tones);
+  //Hachure::Outline::Impl
+  // Edges that VTK drew lie over the pattern.
+  return mix(fromLinear(color), surface.rgb, clamp(2.0 - (hasData ? 2.0 : 8.0) * surface.a, 0.0, 1.0));
+}
+
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -25,10 +34,7 @@ void main()
   bool hasData = surface.a > 0.4;
   vec4 tones = hasData ? texelFetch(hachureSurfaceTone, pixel, 0) : vec4(-1.0);
   //Hachure::Surface::Impl
-  vec3 color = hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), surface.rgb, tones);
-  //Hachure::Outline::Impl
-  // Edges that VTK drew lie over the pattern.
-  vec3 display = mix(fromLinear(color), surface.rgb, clamp(2.0 - (hasData ? 2.0 : 8.0) * surface.a, 0.0, 1.0));
+  //Hachure::Picture::Impl
   // The quad must use all of its attributes.
-  gl_FragData[0] = vec4(display, texCoord.x < 0.0 ? 0.0 : 1.0);
+  gl_FragData[0] = vec4(picture.rgb, texCoord.x < 0.0 ? 0.0 : picture.a);
 }

@@ -223,3 +223,17 @@ float hachurePackNormal(vec3 n)
     fromLinear(
       hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), gl_FragData[0].rgb, hachureTone)),
     gl_FragData[0].rgb, hachureEdge);
+//Section ForwardNoPaper
+  // On black and on white tells what shows through.
+  vec3 hachureOwn = gl_FragData[0].rgb;
+  hachurePaperHere = vec3(0.0);
+  vec3 hachureOnBlack = mix(
+    fromLinear(hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), hachureOwn, hachureTone)),
+    hachureOwn, hachureEdge);
+  hachurePaperHere = vec3(1.0);
+  vec3 hachureOnWhite = mix(
+    fromLinear(hachureCompose(hachureLogicalPosition(gl_FragCoord.xy), hachureOwn, hachureTone)),
+    hachureOwn, hachureEdge);
+  float hachureHides =
+    1.0 - clamp(dot(hachureOnWhite - hachureOnBlack, vec3(1.0 / 3.0)), 0.0, 1.0);
+  gl_FragData[0] = vec4(hachureOnBlack / max(hachureHides, 0.001), gl_FragData[0].a * hachureHides);

@@ -7,5 +7,6 @@ float hachureCoverage@(vec2 position, float tone)
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy - hachureStipplePlace@.xy);
   float covered = texelFetch(hachureStipples@, pixel, 0).r * (255.0 / 64.0);
-  return hachureStipplePlace@.z > 0.5 ? covered : clamp(tone, 0.0, 1.0);
+  // The darkest tone leaves no pinholes.
+  return hachureStipplePlace@.z > 0.5 && tone < 0.999 ? covered : clamp(tone, 0.0, 1.0);
 }

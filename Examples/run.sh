@@ -34,7 +34,7 @@ logged()
 }
 
 bash Testing/install_packages.sh \
-  g++ cmake ninja-build libvtk9-dev libglm-dev xvfb xauth libgl1-mesa-dri || exit 1
+  g++ cmake ninja-build libvtk9-dev libglm-dev libcairo2-dev xvfb xauth libgl1-mesa-dri || exit 1
 
 echo "building ..."
 if command -v ccache >/dev/null; then

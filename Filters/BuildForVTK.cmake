@@ -25,6 +25,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   ImagingSources
   InteractionStyle
   IOExodus
+  IOExport
   IOGeometry
   IOImage
   IOLegacy

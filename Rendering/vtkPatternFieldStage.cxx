@@ -102,18 +102,29 @@ std::string vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
     }
     return seen;
   };
+  const auto read = [&](vtkPatternAttributes::Image image)
+  { return this->Resources.ReadBytes(this->Window, this->Rectangle, image); };
   std::vector<FieldScene::ToneImage> tones;
   const auto lookAtTones = [&]() -> const std::vector<FieldScene::ToneImage>&
   {
     if (tones.empty())
     {
-      tones.push_back({ this->Resources.ReadTones(this->Window, this->Rectangle), {} });
+      tones.push_back({ read(vtkPatternAttributes::TONE), {} });
     }
     return tones;
   };
+  std::vector<std::uint8_t> colors;
+  const auto lookAtColors = [&]() -> const std::vector<std::uint8_t>&
+  {
+    if (colors.empty())
+    {
+      colors = read(vtkPatternAttributes::COLOR);
+    }
+    return colors;
+  };
   return compositor.DrawFields({ &this->Surface, this->History, this->LookOn, this->ModelToClip,
     this->Viewport, this->Rectangle, DepthPerPixel(*this), this->NoiseBackEnd, this->Frame,
-    this->Resources.SurfaceDepth, lookAtDepth, look, lookAtTones });
+    this->Resources.SurfaceDepth, lookAtDepth, look, lookAtTones, lookAtColors });
 }
 
 std::string vtkPatternFieldStage::DrawForward(vtkPatternCompositor& compositor) const
@@ -126,5 +137,5 @@ std::string vtkPatternFieldStage::DrawForward(vtkPatternCompositor& compositor) 
   };
   return compositor.DrawForwardFields({ &this->Surface, this->History, this->LookOn,
     this->ModelToClip, this->Viewport, this->Rectangle, DepthPerPixel(*this), this->NoiseBackEnd,
-    this->Frame, nullptr, {}, {}, lookAtTones });
+    this->Frame, nullptr, {}, {}, lookAtTones, {} });
 }

@@ -54,6 +54,7 @@ namespace hachure
 {
 struct PatternFrame;
 struct TrackedSamples;
+struct VectorDisc;
 struct ViewProjection;
 } // namespace hachure
 #endif
@@ -240,6 +241,10 @@ public:
     vtkPolyData* block, const std::vector<vtkIdType>& cells, std::vector<float>& ids);
   std::vector<hachure::PatternFrame> AnchoredFrames(const hachure::TrackedSamples& samples,
     const hachure::ViewProjection& view, vtkRenderer* renderer);
+  /// Appends the stipples of the last picture as they were drawn, in framebuffer pixels of the
+  /// renderer's viewport, y up, from its lower left corner.
+  void CollectStipples(
+    vtkRenderer* renderer, vtkActor* actor, std::vector<hachure::VectorDisc>& discs);
 #endif
 
 protected:

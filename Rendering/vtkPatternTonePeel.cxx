@@ -39,7 +39,7 @@ std::vector<vtkPatternTonePeel::Image> vtkPatternTonePeel::Peel(vtkOpenGLRenderW
     {
       break;
     }
-    layers.push_back({ resources.ReadTones(window, rectangle), depth });
+    layers.push_back({ resources.ReadBytes(window, rectangle, vtkPatternAttributes::TONE), depth });
   }
   return layers;
 }

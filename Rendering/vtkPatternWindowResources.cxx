@@ -199,19 +199,19 @@ std::vector<float> vtkPatternWindowResources::ReadDepth(
   return depth;
 }
 
-std::vector<std::uint8_t> vtkPatternWindowResources::ReadTones(
-  vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle)
+std::vector<std::uint8_t> vtkPatternWindowResources::ReadBytes(vtkOpenGLRenderWindow* window,
+  const std::array<int, 4>& rectangle, vtkPatternAttributes::Image image)
 {
-  std::vector<std::uint8_t> tones(
+  std::vector<std::uint8_t> bytes(
     4 * static_cast<std::size_t>(rectangle[2]) * static_cast<std::size_t>(rectangle[3]));
   window->GetState()->PushFramebufferBindings();
   this->AttributeFramebuffer->Bind(GL_READ_FRAMEBUFFER);
-  this->AttributeFramebuffer->ActivateReadBuffer(vtkPatternAttributes::TONE);
+  this->AttributeFramebuffer->ActivateReadBuffer(static_cast<unsigned int>(image));
   FinishDrawing();
   glReadPixels(rectangle[0], rectangle[1], rectangle[2], rectangle[3], GL_RGBA, GL_UNSIGNED_BYTE,
-    tones.data());
+    bytes.data());
   window->GetState()->PopFramebufferBindings();
-  return tones;
+  return bytes;
 }
 
 void vtkPatternWindowResources::ReleaseGraphicsResources(vtkWindow* window)

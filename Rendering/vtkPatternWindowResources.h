@@ -43,9 +43,9 @@ public:
 
   /// Window depth of the attribute stage in a rectangle, row by row from the bottom.
   std::vector<float> ReadDepth(vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle);
-  /// The four tones of its pixels, 0 to 255.
-  std::vector<std::uint8_t> ReadTones(
-    vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle);
+  /// The four bytes of its pixels in COLOR or TONE.
+  std::vector<std::uint8_t> ReadBytes(vtkOpenGLRenderWindow* window,
+    const std::array<int, 4>& rectangle, vtkPatternAttributes::Image image);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

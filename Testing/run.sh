@@ -20,9 +20,9 @@ if command -v ccache >/dev/null; then
 fi
 
 packages=(
-  g++ cmake ninja-build libvtk9-dev paraview-dev libglm-dev libgtest-dev
+  g++ cmake ninja-build libvtk9-dev paraview-dev libglm-dev libcairo2-dev libgtest-dev
   xvfb xauth libgl1-mesa-dri openmpi-bin chromium
-  clang-format clang-tidy libomp-dev codespell glslang-tools git
+  clang-format clang-tidy libomp-dev codespell glslang-tools git librsvg2-bin poppler-utils
 )
 
 # step NAME COMMAND...: runs the command with its output in a log; the end of the log is shown if it fails.

@@ -23,6 +23,8 @@ namespace
 {
 
 constexpr std::size_t tonesOfAll = 256;
+constexpr std::size_t fullTone = tonesOfAll; // row of tone 1
+constexpr int cellSide = 32;                 // pixels
 // Cosines of the angle of sight for which crowds are known, from the least to 1.
 constexpr std::size_t facingCount = 39;
 constexpr float leastFacing = 0.05f;
@@ -151,6 +153,7 @@ StippleDrawing::StippleDrawing(const StippleScene& someScene, const StippleLook&
   const bool away = isPerspective ? volume > 0.0 : glm::dot(glm::dvec3(this->rowZ), parallel) > 0.0;
   this->towardViewer = away ? -1.0 : 1.0;
   this->tabulateCrowds();
+  this->findCellCrowds();
 }
 
 StippleDrawing::Rows StippleDrawing::rowsAt(const glm::dvec3& origin) const
@@ -182,15 +185,19 @@ StippleDrawing::Rows StippleDrawing::rowsAt(const glm::dvec3& origin) const
 void StippleDrawing::tabulateCrowds()
 {
   const bool even = this->scene.tones.empty();
-  this->darkest = even ? 0
-                       : static_cast<std::size_t>(
-                           std::max_element(this->scene.toneOf.begin(), this->scene.toneOf.end()) -
-                           this->scene.toneOf.begin());
+  const auto mostOf = [](const std::array<float, tonesOfAll>& tones) {
+    return static_cast<std::size_t>(std::max_element(tones.begin(), tones.end()) - tones.begin());
+  };
+  this->darkest = this->look.toneBySize ? fullTone : even ? 0 : mostOf(this->scene.toneOf);
   const float perPixel = 1.0f / (this->look.diameter * this->look.diameter);
-  this->crowds.resize(tonesOfAll * facingCount);
-  for (std::size_t tone = 0; tone < (even ? 1 : tonesOfAll); ++tone)
+  this->crowds.resize((tonesOfAll + 1) * facingCount);
+  for (std::size_t tone = 0; tone <= fullTone; ++tone)
   {
-    const float ink = std::clamp(this->scene.toneOf[tone], 0.0f, 1.0f);
+    if (even && tone > 0 && tone < fullTone)
+    {
+      continue;
+    }
+    const float ink = tone == fullTone ? 1.0f : std::clamp(this->scene.toneOf[tone], 0.0f, 1.0f);
     for (std::size_t i = 0; i < facingCount; ++i)
     {
       const float facing = leastFacing + static_cast<float>(i) * facingStep;
@@ -209,6 +216,75 @@ float StippleDrawing::crowdAt(std::size_t tone, float facing) const
   return entries[0] + (place - static_cast<float>(first)) * (entries[1] - entries[0]);
 }
 
+void StippleDrawing::findCellCrowds()
+{
+  if (this->scene.tones.empty() || this->look.toneBySize)
+  {
+    return;
+  }
+  const auto width = static_cast<std::size_t>(this->scene.rectangle[2]);
+  const auto height = static_cast<std::size_t>(this->scene.rectangle[3]);
+  this->cellColumns = (this->scene.rectangle[2] + cellSide - 1) / cellSide;
+  this->cellRows = (this->scene.rectangle[3] + cellSide - 1) / cellSide;
+  const auto columns = static_cast<std::size_t>(this->cellColumns);
+  this->cellCrowds.assign(columns * static_cast<std::size_t>(this->cellRows), 0.0f);
+  std::array<float, tonesOfAll> crowdOf;
+  for (std::size_t tone = 0; tone < tonesOfAll; ++tone)
+  {
+    crowdOf[tone] = this->crowdAt(tone, 1.0f);
+  }
+  const auto stride = static_cast<std::size_t>(this->scene.toneStride);
+  parallelForRanges(this->cellRows, 1,
+    [&](std::int64_t cellRow, std::int64_t)
+    {
+      float* const cells = this->cellCrowds.data() + static_cast<std::size_t>(cellRow) * columns;
+      const std::size_t first = static_cast<std::size_t>(cellRow) * cellSide;
+      for (std::size_t row = first; row < std::min(height, first + cellSide); ++row)
+      {
+        for (std::size_t column = 0; column < width; ++column)
+        {
+          const std::size_t pixel = row * width + column;
+          const bool isSeen = this->scene.depth.empty() || this->scene.depth[pixel] < 1.0f;
+          const float crowd = isSeen ? crowdOf[this->scene.tones[pixel * stride]] : 0.0f;
+          cells[column / cellSide] = std::max(cells[column / cellSide], crowd);
+        }
+      }
+    });
+}
+
+// Of all that is seen around the picture of the sphere, with a pixel more: a stipple beside the
+// surface's picture, or beside the rectangle, has the tone of a pixel next to it.
+float StippleDrawing::mostCrowd(const NoiseSphere& sphere) const
+{
+  const double least =
+    at(this->rowW, sphere.center) - sphere.radius * glm::length(glm::dvec3(this->rowW));
+  if (this->cellCrowds.empty() || !(least > 0.0))
+  {
+    return this->crowdAt(this->darkest, 1.0f);
+  }
+  const double w = at(this->rowW, sphere.center);
+  const glm::dvec4* const rows[2] = { &this->rowX, &this->rowY };
+  const int counts[2] = { this->cellColumns, this->cellRows };
+  int first[2], last[2];
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double middle = at(*rows[axis], sphere.center) / w;
+    const glm::dvec3 change = glm::dvec3(*rows[axis]) - middle * glm::dvec3(this->rowW);
+    const double extent = sphere.radius * glm::length(change) / least + 2.0;
+    const double most = counts[axis] - 1;
+    first[axis] = static_cast<int>(std::clamp((middle - extent) / cellSide, 0.0, most));
+    last[axis] = static_cast<int>(std::clamp((middle + extent) / cellSide, 0.0, most));
+  }
+  float crowd = 0.0f;
+  for (int row = first[1]; row <= last[1]; ++row)
+  {
+    const float* const cells = this->cellCrowds.data() +
+      static_cast<std::size_t>(row) * static_cast<std::size_t>(this->cellColumns);
+    crowd = std::max(crowd, *std::max_element(cells + first[0], cells + last[0] + 1));
+  }
+  return crowd;
+}
+
 double StippleDrawing::mostWanted(const NoiseSphere& sphere) const
 {
   if (this->projection.misses(sphere))
@@ -216,7 +292,7 @@ double StippleDrawing::mostWanted(const NoiseSphere& sphere) const
     return 0.0;
   }
   // The crowd times the facing, of which the picture's area is a multiple, is most where it is 1.
-  const float crowd = this->crowdAt(this->darkest, 1.0f);
+  const float crowd = this->mostCrowd(sphere);
   return crowd > 0.0f ? crowd * this->projection.magnificationBound(sphere) : 0.0;
 }
 
@@ -332,9 +408,9 @@ bool StippleDrawing::finish(
   float diameter = this->look.diameter;
   if (this->look.toneBySize)
   {
-    const float most = this->crowdAt(this->darkest, facing);
-    diameter *= most > 0.0f ? std::sqrt(crowd / most) : 0.0f;
-    crowd = crowd > 0.0f ? most : 0.0f;
+    const float most = this->crowdAt(fullTone, facing);
+    diameter *= std::sqrt(crowd / most);
+    crowd = most;
   }
   // Where there are not enough stipples, they are larger: the same picture, magnified.
   const float perPixel = w * w * w / std::abs(area); // area of surface

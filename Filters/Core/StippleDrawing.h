@@ -26,8 +26,8 @@ struct StippleLook
   float diameter = 2.4f; // of a grown disc, pixels; > 0
   // Stipples grow while their distances shrink by 1 + growth; > 0. See stippleGrowth.
   float growth = 0.25f;
-  // Tone by the size of discs, as many as the darkest tone needs, up to the diameter; otherwise by
-  // the number of discs of that diameter.
+  // Tone by the size of discs, as many as tone 1 needs of those of the diameter; otherwise by the
+  // number of discs of the diameter.
   bool toneBySize = false;
 };
 
@@ -78,6 +78,8 @@ private:
   struct Place;
   Rows rowsAt(const glm::dvec3& origin) const;
   void tabulateCrowds();
+  void findCellCrowds();
+  float mostCrowd(const NoiseSphere& sphere) const;
   std::uint32_t candidates(const Rows& rows, const StippleNode& node, std::int32_t first) const;
   bool finish(
     const Rows& rows, const StippleTree& tree, const Task& task, DrawnStipple& stipple) const;
@@ -92,8 +94,12 @@ private:
   NoiseProjection projection;
   glm::dvec4 rowX, rowY, rowZ, rowW; // to clip space; x and y in pixels from the rectangle's corner
   double towardViewer = 1.0;         // sign
-  std::size_t darkest = 0;           // of toneOf
-  std::vector<float> crowds;         // stipples per pixel: of every tone, for every facing
+  std::size_t darkest = 0;           // row of the crowds that is most
+  std::vector<float> crowds; // stipples per pixel: of every tone and of tone 1, for every facing
+  // The most in every cell of the rectangle, of a surface that faces the viewer; empty: the same
+  // everywhere.
+  std::vector<float> cellCrowds;
+  int cellColumns = 0, cellRows = 0;
 };
 
 // All stipples of the tree that are drawn, in an order that is the same for any number of threads.

@@ -104,6 +104,9 @@ public:
     };
     /// Of what is seen; of a translucent surface its layers from the front, with their depth.
     std::function<const std::vector<ToneImage>&()> LookAtTones;
+    /// Display-referred colours of what is seen in the rectangle, four bytes a pixel; of an opaque
+    /// surface, where the layers' text uses hachureSurfaceHere.
+    std::function<const std::vector<std::uint8_t>&()> LookAtColors;
   };
   /// Whether DrawField must be called between the surface's drawing and that of the layers.
   virtual bool NeedsField() const { return false; }

@@ -39,6 +39,8 @@ def compare(proxy):
 
 for name in sorted(os.listdir(folder)):
     if name.endswith(".xml"):
-        for proxy in xml.parse(os.path.join(folder, name)).iter("SourceProxy"):
-            compare(proxy)
-assert compared >= 6, compared
+        tree = xml.parse(os.path.join(folder, name))
+        for kind in ("SourceProxy", "RenderViewExporterProxy"):
+            for proxy in tree.iter(kind):
+                compare(proxy)
+assert compared >= 10, compared

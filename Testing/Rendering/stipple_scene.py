@@ -9,7 +9,7 @@ import pattern_scene as scene
 def stipple_layer(tone=0.5, **parameters):
     """A layer of even tone."""
     layer = hachure.vtkStippleLayer()
-    layer.SetNumberOfPoints(30000)
+    layer.SetNumberOfPoints(4000)
     layer.GetTone().SetSource(hachure.vtkPatternTone.CONSTANT)
     layer.GetTone().SetConstant(tone)
     for name, value in parameters.items():

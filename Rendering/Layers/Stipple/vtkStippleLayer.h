@@ -43,7 +43,7 @@ public:
 
   /**
    * What a darker tone has: DENSITY, more stipples of the same size; SIZE, larger ones, at most of
-   * Size, as many as the darkest tone needs.
+   * Size, and everywhere as many as tone 1 needs of those.
    */
   enum CarrierType
   {

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkStippleLayerPainter.h"
 
+#include "Kernels.h"
+#include "Parallel.h"
 #include "StippleLayer.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPatternShaderText.h"
 #include "vtkPatternSurface.h"
 #include "vtkPatternToneCurve.h"
 #include "vtkShaderProgram.h"
@@ -19,7 +22,16 @@ vtkStippleLayerPainter::vtkStippleLayerPainter(vtkStippleLayer* layer)
 
 std::string vtkStippleLayerPainter::GetDeclarations(bool) const
 {
-  return StippleLayer;
+  return vtkPattern::ShaderSection(StippleLayer, "Places") +
+    vtkPattern::ShaderSection(StippleLayer, "Opaque") +
+    vtkPattern::ShaderSection(StippleLayer, "Ink");
+}
+
+std::string vtkStippleLayerPainter::GetForwardDeclarations(bool) const
+{
+  return vtkPattern::ShaderSection(StippleLayer, "Places") +
+    vtkPattern::ShaderSection(StippleLayer, "Forward") +
+    vtkPattern::ShaderSection(StippleLayer, "Ink");
 }
 
 bool vtkStippleLayerPainter::Update(vtkOpenGLRenderWindow* window, const Scene& scene, std::string&)
@@ -35,24 +47,33 @@ bool vtkStippleLayerPainter::Update(vtkOpenGLRenderWindow* window, const Scene& 
     : 1.0;
   this->Diameter = this->Layer->GetSize() * unit * scene.PixelsPerLogical;
   this->Rectangle = { 0, 0, 0, 0 };
+  this->Forward = false;
   return true;
 }
 
 // Tones are read where they come from, and curved here.
 void vtkStippleLayerPainter::SetTones(
-  const FieldScene& scene, int channel, hachure::StippleScene& stipples) const
+  const FieldScene& scene, int channel, hachure::StippleScene& stipples)
 {
   vtkPatternTone* tone = this->Layer->GetTone();
-  if (channel < 0)
+  if (tone->IsSeparation())
+  {
+    this->Separate(scene);
+    stipples.tones = this->Separation;
+  }
+  else if (channel < 0)
   {
     stipples.toneOf.fill(static_cast<float>(vtkPattern::CurvedTone(tone, tone->GetConstant())));
     return;
   }
-  const std::vector<std::uint8_t>& tones = scene.LookAtTones().front().Tones;
-  constexpr int channels = 4;
-  stipples.tones = hachure::Span<const std::uint8_t>(tones).subspan(
-    static_cast<std::size_t>(channel), tones.size() - static_cast<std::size_t>(channel));
-  stipples.toneStride = channels;
+  else
+  {
+    const std::vector<std::uint8_t>& tones = scene.LookAtTones().front().Tones;
+    constexpr int channels = 4;
+    stipples.tones = hachure::Span<const std::uint8_t>(tones).subspan(
+      static_cast<std::size_t>(channel), tones.size() - static_cast<std::size_t>(channel));
+    stipples.toneStride = channels;
+  }
   constexpr double last = 255.0;
   for (std::size_t i = 0; i < stipples.toneOf.size(); ++i)
   {
@@ -61,7 +82,29 @@ void vtkStippleLayerPainter::SetTones(
   }
 }
 
-std::string vtkStippleLayerPainter::DrawField(const FieldScene& scene, int channel)
+// As processInks() in ToneExpression of the compositor.
+void vtkStippleLayerPainter::Separate(const FieldScene& scene)
+{
+  vtkPatternTone* tone = this->Layer->GetTone();
+  const auto blackGeneration = static_cast<float>(tone->GetBlackGeneration());
+  const int ink = tone->GetSource() - vtkPatternTone::CYAN;
+  const std::vector<std::uint8_t>& colors = scene.LookAtColors();
+  this->Separation.resize(colors.size() / 4);
+  hachure::parallelFor(static_cast<std::int64_t>(this->Separation.size()),
+    [&](std::int64_t pixel)
+    {
+      const std::uint8_t* const bytes = colors.data() + 4 * pixel;
+      constexpr float last = 255.0f;
+      const glm::vec3 color = glm::vec3(bytes[0], bytes[1], bytes[2]) / last;
+      const glm::vec4 inks =
+        hachure::glsl::processInks(hachure::glsl::toLinear(color), blackGeneration);
+      this->Separation[static_cast<std::size_t>(pixel)] =
+        static_cast<std::uint8_t>(last * inks[ink] + 0.5f);
+    });
+}
+
+void vtkStippleLayerPainter::Draw(
+  const FieldScene& scene, int channel, hachure::Span<const float> depth)
 {
   const auto order = this->Layer->GetOrder() == vtkStippleLayer::CLASSIC
     ? hachure::StippleOrder::Classic
@@ -73,7 +116,7 @@ std::string vtkStippleLayerPainter::DrawField(const FieldScene& scene, int chann
   seen.view.viewportOrigin = { scene.Viewport[0], scene.Viewport[1] };
   seen.view.viewportSize = { scene.Viewport[2], scene.Viewport[3] };
   seen.rectangle = scene.Rectangle;
-  seen.depth = scene.LookAtDepth();
+  seen.depth = depth;
   seen.depthPerPixel = scene.DepthPerPixel;
   this->SetTones(scene, channel, seen);
   hachure::StippleLook look;
@@ -95,6 +138,47 @@ std::string vtkStippleLayerPainter::DrawField(const FieldScene& scene, int chann
   }
   this->Canvas.draw(this->Discs, scene.Rectangle[2], scene.Rectangle[3], this->Covered);
   this->Upload(scene.Rectangle);
+}
+
+std::string vtkStippleLayerPainter::DrawField(const FieldScene& scene, int channel)
+{
+  this->Draw(scene, channel, scene.LookAtDepth());
+  return {};
+}
+
+bool vtkStippleLayerPainter::ForwardState::operator==(const ForwardState& other) const
+{
+  return this->ModelToClip == other.ModelToClip && this->Viewport == other.Viewport &&
+    this->Rectangle == other.Rectangle && this->Diameter == other.Diameter &&
+    this->SurfaceVersion == other.SurfaceVersion && this->LayerTime == other.LayerTime &&
+    this->Frame == other.Frame;
+}
+
+std::string vtkStippleLayerPainter::DrawForwardField(const FieldScene& scene, int channel)
+{
+  this->Forward = true;
+  const ForwardState state = { scene.ModelToClip, scene.Viewport, scene.Rectangle, this->Diameter,
+    scene.Surface->GetVersion(), this->Layer->GetMTime(), scene.Frame };
+  if (state == this->ForwardDrawn && this->Texture->GetHandle())
+  {
+    this->Rectangle = scene.Rectangle;
+    return {};
+  }
+  this->ForwardDrawn = {};
+  // Colours are known of opaque surfaces alone.
+  if (this->Layer->GetTone()->IsSeparation() || scene.LookAtTones().empty())
+  {
+    return {};
+  }
+  const std::vector<float>& depth = scene.LookAtTones().front().Depth;
+  this->Draw(scene, channel, depth);
+  std::vector<float> texels(depth);
+  this->FrontDepth->SetContext(this->Window);
+  this->FrontDepth->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->FrontDepth->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->FrontDepth->Create2DFromRaw(static_cast<unsigned int>(scene.Rectangle[2]),
+    static_cast<unsigned int>(scene.Rectangle[3]), 1, VTK_FLOAT, texels.data());
+  this->ForwardDrawn = state;
   return {};
 }
 
@@ -116,6 +200,11 @@ void vtkStippleLayerPainter::SetUniforms(vtkShaderProgram* program, const std::s
   {
     program->SetUniformi(("hachureStipples" + number).c_str(), this->Texture->GetTextureUnit());
   }
+  if (drawn && this->Forward)
+  {
+    program->SetUniformi(
+      ("hachureStippleDepth" + number).c_str(), this->FrontDepth->GetTextureUnit());
+  }
   const float place[3] = { static_cast<float>(this->Rectangle[0]),
     static_cast<float>(this->Rectangle[1]), drawn ? 1.0f : 0.0f };
   program->SetUniform3f(("hachureStipplePlace" + number).c_str(), place);
@@ -132,6 +221,10 @@ void vtkStippleLayerPainter::Activate()
   if (this->Rectangle[2] > 0)
   {
     this->Texture->Activate();
+    if (this->Forward)
+    {
+      this->FrontDepth->Activate();
+    }
   }
 }
 
@@ -140,11 +233,18 @@ void vtkStippleLayerPainter::Deactivate()
   if (this->Rectangle[2] > 0)
   {
     this->Texture->Deactivate();
+    if (this->Forward)
+    {
+      this->FrontDepth->Deactivate();
+    }
   }
 }
 
 void vtkStippleLayerPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
+  this->FrontDepth->ReleaseGraphicsResources(window);
+  this->Forward = false;
+  this->ForwardDrawn = {};
   this->Rectangle = { 0, 0, 0, 0 };
 }

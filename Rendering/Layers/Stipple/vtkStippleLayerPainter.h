@@ -23,10 +23,12 @@ public:
   bool Update(vtkOpenGLRenderWindow* window, const Scene& scene, std::string& error) override;
   std::string GetNote() const override { return this->Note; }
   std::string GetDeclarations(bool patches) const override;
+  std::string GetForwardDeclarations(bool patches) const override;
   const std::vector<float>& GetTableRows() const override { return this->NoRows; }
   unsigned long GetTableVersion() const override { return 0; }
   bool NeedsField() const override { return true; }
   std::string DrawField(const FieldScene& scene, int channel) override;
+  std::string DrawForwardField(const FieldScene& scene, int channel) override;
   void SetUniforms(vtkShaderProgram* program, const std::string& number,
     const hachure::PatternFrame& frame, const hachure::TimedOctave* octave,
     const TablePart& rows) override;
@@ -37,7 +39,9 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 private:
-  void SetTones(const FieldScene& scene, int channel, hachure::StippleScene& stipples) const;
+  void SetTones(const FieldScene& scene, int channel, hachure::StippleScene& stipples);
+  void Separate(const FieldScene& scene);
+  void Draw(const FieldScene& scene, int channel, hachure::Span<const float> depth);
   void Upload(const std::array<int, 4>& rectangle);
 
   vtkWeakPointer<vtkStippleLayer> Layer;
@@ -49,8 +53,25 @@ private:
   std::vector<hachure::StippleDisc> Discs;
   hachure::StippleCanvas Canvas;
   std::vector<std::uint8_t> Covered;
+  std::vector<std::uint8_t> Separation; // tones of an ink
   vtkNew<vtkTextureObject> Texture;
-  std::array<int, 4> Rectangle = { 0, 0, 0, 0 }; // that the texture is of; empty: of nothing
+  vtkNew<vtkTextureObject> FrontDepth;           // of a translucent surface
+  std::array<int, 4> Rectangle = { 0, 0, 0, 0 }; // that the textures are of; empty: of nothing
+
+  // What the stipples of a translucent surface depend on. Depth peeling draws it many times.
+  struct ForwardState
+  {
+    glm::dmat4 ModelToClip{ 0.0 };
+    std::array<int, 4> Viewport;
+    std::array<int, 4> Rectangle;
+    double Diameter;
+    unsigned long SurfaceVersion;
+    vtkMTimeType LayerTime;
+    unsigned long Frame;
+    bool operator==(const ForwardState& other) const;
+  };
+  bool Forward = false; // such a surface is drawn now
+  ForwardState ForwardDrawn{};
 };
 
 #endif

@@ -28,7 +28,7 @@ assert many > 3 * small, (many, small)
 # Ink, paper, tone and lines are those of Pattern.
 basic = few()
 file_name = style_file(numberOfPoints=5000)
-shared = [{"Ink": "Color", "InkColor": [1, 0, 0]}, {"InkOpacity": 0.5}, {"BlendMode": "Multiply", "Paper": "Lit surface"}]
+shared = [{"Ink": "Color", "InkColor": [1, 0, 0]}, {"InkOpacity": 0.5}, {"BlendMode": "Screen"}]
 shared += [{"Paper": "Color", "PaperColor": [1, 1, 0]}, {"Tone": "Light"}, {"ToneConstant": 0.6}]
 shared += [{"ToneInvert": "On"}, {"ToneGamma": 2}, {"ToneRemap": "Steps"}, {"Scale": 0.8}]
 for options in shared:

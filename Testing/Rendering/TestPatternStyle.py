@@ -107,6 +107,31 @@ def test_every_parameter_of_noise_survives():
     assert not same, "the test left the defaults of " + str(same)
 
 
+def test_every_parameter_of_stipples_survives():
+    style, layer = new_style(), hachure.vtkStippleLayer()
+    layer.SetColor(1.0 / 3.0, 0.7, 1.0)
+    layer.SetColorSource(layer.SURFACE)
+    layer.SetOpacity(0.35)
+    layer.SetBlendMode(layer.OVERLAY)
+    layer.SetSeed(4294967295)
+    layer.EnabledOff()
+    layer.SetSize(0.6)
+    layer.SetSizeUnit(layer.MILLIMETRES)
+    layer.SetCarrier(layer.SIZE)
+    layer.SetGrowth(1.0 / 3.0)
+    layer.SetOrder(layer.CLASSIC)
+    layer.SetNumberOfPoints(12345)
+    layer.RefinementOff()
+    layer.SetMemoryBudget(7)
+    style.AddLayer(layer)
+    copy = new_style()
+    assert copy.FromJson(style.ToJson()), errors
+    mine, default = values(layer), values(hachure.vtkStippleLayer())
+    assert mine == values(copy.GetLayer(0)), (mine, values(copy.GetLayer(0)))
+    same = [n for n in mine if mine[n] == default[n]]
+    assert not same, "the test left the defaults of " + str(same)
+
+
 def test_wrong_factors_of_noise():
     style = new_style()
     text = '{"hachure": 1, "layers": [{"type": "noise", "field": {"%s": [1, 100]}}]}'
@@ -340,8 +365,8 @@ def test_presets():
     count = hachure.vtkPatternStyle.GetNumberOfPresets()
     names = [hachure.vtkPatternStyle.GetPresetName(i) for i in range(count)]
     assert names == [
-        "hatch", "cross-hatch", "halftone", "cmyk", "painterly", "paper", "gabor", "phasor", "spot",
-        "noise-stipple", "noise-hatch", "noise-cross-hatch", "graphite", "ink", "watercolour",
+        "hatch", "cross-hatch", "halftone", "cmyk", "painterly", "paper", "stipple", "stipple-white",
+        "stipple-two-inks", "gabor", "phasor", "spot", "noise-stipple", "noise-hatch", "noise-cross-hatch", "graphite", "ink", "watercolour",
         "felt-tip", "brush", "engraving"], names
     assert hachure.vtkPatternStyle.GetPresetName(count) is None
     assert hachure.vtkPatternStyle.GetDefaultPresetName() in names
@@ -356,8 +381,9 @@ def test_presets():
         if i < len(patterns):
             assert layer.GetPattern() == patterns[i], name
         else:
-            assert layer.GetTypeName() == "noise", name
-        assert style.GetOutline() == (name not in ("painterly", "brush")), name
+            assert layer.GetTypeName() == ("stipple" if name.startswith("stipple") else "noise"), name
+        without = name in ("painterly", "brush") or name.startswith("stipple")
+        assert style.GetOutline() != without, name
         texts.add(style.ToJson())
     assert len(texts) == len(names)
     expect_error(style.LoadPreset("dots"), 'unknown style "dots"', "hatch, cross-hatch, halftone, cmyk")
@@ -365,6 +391,7 @@ def test_presets():
 
 test_every_parameter_survives()
 test_every_parameter_of_noise_survives()
+test_every_parameter_of_stipples_survives()
 test_wrong_factors_of_noise()
 test_names_of_motions()
 test_absent_keys_are_defaults()

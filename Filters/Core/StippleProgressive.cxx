@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace hachure
@@ -69,12 +70,19 @@ private:
     std::int32_t candidate = -1;
   };
 
+  // Whichever other candidates there are.
+  std::uint64_t hashOf(std::int32_t candidate) const
+  {
+    const StippleCandidate& at = this->candidates[static_cast<std::size_t>(candidate)];
+    std::uint64_t bits[2] = {};
+    std::memcpy(bits, &at.place, sizeof(at.place));
+    return hashPair(bits[0], bits[1]);
+  }
   bool isBetter(const Best& first, const Best& second) const
   {
     return first.crowding != second.crowding
       ? first.crowding < second.crowding
-      : hashMix(static_cast<std::uint64_t>(first.candidate)) >
-        hashMix(static_cast<std::uint64_t>(second.candidate));
+      : this->hashOf(first.candidate) > this->hashOf(second.candidate);
   }
   void linkNeighbours(float side);
   void findBest(std::int32_t cell);
@@ -333,46 +341,113 @@ std::int64_t candidatesFor(double area, float radius, std::size_t placed)
   return static_cast<std::int64_t>(perPoint * points);
 }
 
+// The end of the round by which there should be `count` points: those placed fill the area up to a
+// radius, and twice as many up to one of 1 / sqrt(2).
+float radiusFor(std::int64_t count, std::size_t placed, float radius)
+{
+  constexpr std::size_t fewPoints = 2000; // for which all candidates are soon made
+  constexpr double margin = 0.97;
+  const double wanted =
+    margin * radius * std::sqrt(static_cast<double>(placed) / static_cast<double>(count));
+  while (placed >= fewPoints && radius > wanted)
+  {
+    radius *= roundRatio;
+  }
+  return placed < fewPoints ? 0.0f : radius;
+}
+
+class GapFiller
+{
+public:
+  GapFiller(StippleSource& someSource, double anArea, const std::vector<StippleBorder>& someBorders,
+    std::int64_t aCount, const ProgressFn& aProgress)
+    : source(someSource)
+    , area(anArea)
+    , borders(someBorders)
+    , count(aCount)
+    , progress(aProgress)
+  {
+    this->placed.reserve(at(aCount));
+  }
+
+  std::vector<StippleCandidate> run()
+  {
+    for (std::uint32_t octave = 0; this->radius > finestRadius && !this->isComplete(); ++octave)
+    {
+      const float first = this->radius;
+      const std::size_t before = this->placed.size();
+      const float last = first * octaveRatio;
+      const std::int64_t candidates =
+        this->source.prepare(candidatesFor(this->area, last, before), octave);
+      // Candidates that have no room before all points are placed change nothing. If there are
+      // still too few points then, all others had their say, too.
+      const float enough = radiusFor(this->count, before, first);
+      if (enough > last && !this->source.isExhausted())
+      {
+        this->fillOctave(candidates, enough);
+      }
+      if (!this->isComplete())
+      {
+        this->radius = first;
+        this->placed.resize(before);
+        this->fillOctave(candidates, last);
+      }
+    }
+    return this->isStopped ? std::vector<StippleCandidate>() : std::move(this->placed);
+  }
+
+private:
+  bool isComplete() const { return this->isStopped || this->placed.size() >= at(this->count); }
+
+  void report()
+  {
+    this->reported = std::max(
+      this->reported, static_cast<double>(this->placed.size()) / static_cast<double>(this->count));
+    this->isStopped = this->progress && !this->progress(this->reported);
+  }
+
+  // All gaps wider than `last`, or until there are points enough.
+  void fillOctave(std::int64_t candidates, float last)
+  {
+    const float reach = this->radius * reachRatio;
+    const StippleNeighbourhood around(this->placed, this->borders, reach);
+    const Survivors survivors =
+      makeCandidates(this->source, candidates, around, crowdingFor(last, reach));
+    if (survivors.candidates.empty() && this->source.isExhausted())
+    {
+      this->radius = stippleRoom(survivors.leastLeftOut, reach);
+      return;
+    }
+    CandidateCells cells(survivors.candidates, reach);
+    while (this->radius > last && !this->isComplete())
+    {
+      this->report();
+      const float before = this->radius;
+      const std::size_t first = this->placed.size();
+      this->radius = std::max(last, this->radius * roundRatio);
+      cells.fill(crowdingFor(this->radius, reach), this->placed);
+      sortByRoom(this->placed, first, reach, before);
+    }
+    this->placed.resize(std::min(this->placed.size(), at(this->count)));
+  }
+
+  StippleSource& source;
+  double area;
+  const std::vector<StippleBorder>& borders;
+  std::int64_t count;
+  const ProgressFn& progress;
+  std::vector<StippleCandidate> placed;
+  float radius = 1.0f; // up to which gaps are filled
+  double reported = 0.0;
+  bool isStopped = false;
+};
+
 } // namespace
 
 std::vector<StippleCandidate> fillGaps(StippleSource& source, double area,
   const std::vector<StippleBorder>& borders, std::int64_t count, const ProgressFn& progress)
 {
-  std::vector<StippleCandidate> placed;
-  placed.reserve(at(count));
-  float radius = 1.0f;
-  for (std::uint32_t octave = 0; radius > finestRadius; ++octave)
-  {
-    const float last = radius * octaveRatio;
-    const float reach = radius * reachRatio;
-    const std::int64_t number = source.prepare(candidatesFor(area, last, placed.size()), octave);
-    const StippleNeighbourhood around(placed, borders, reach);
-    const Survivors survivors = makeCandidates(source, number, around, crowdingFor(last, reach));
-    if (survivors.candidates.empty() && source.isExhausted())
-    {
-      radius = stippleRoom(survivors.leastLeftOut, reach);
-      continue;
-    }
-    CandidateCells cells(survivors.candidates, reach);
-    while (radius > last)
-    {
-      if (progress && !progress(static_cast<double>(placed.size()) / static_cast<double>(count)))
-      {
-        return {};
-      }
-      const float before = radius;
-      const std::size_t first = placed.size();
-      radius = std::max(last, radius * roundRatio);
-      cells.fill(crowdingFor(radius, reach), placed);
-      sortByRoom(placed, first, reach, before);
-      if (placed.size() >= at(count))
-      {
-        placed.resize(at(count));
-        return placed;
-      }
-    }
-  }
-  return placed;
+  return GapFiller(source, area, borders, count, progress).run();
 }
 
 } // namespace hachure

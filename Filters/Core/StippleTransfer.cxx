@@ -136,7 +136,8 @@ private:
 } // namespace
 
 StippleHierarchy carryStipples(const TriangleMesh& mesh, Span<const CarriedStipple> old,
-  double oldArea, const StippleOptions& options, std::vector<std::int32_t>& origins, double reach)
+  double oldArea, const StippleOptions& options, std::vector<std::int32_t>& origins, double reach,
+  std::vector<StipplePoint>* moved)
 {
   checkStippleOptions(options);
   checkTriangleMesh(mesh);
@@ -152,6 +153,10 @@ StippleHierarchy carryStipples(const TriangleMesh& mesh, Span<const CarriedStipp
   const StippleSurface surface = makeStippleSurface(mesh);
   StippleHierarchy result;
   origins.clear();
+  if (moved)
+  {
+    moved->assign(old.size(), StipplePoint{ -1, { 0.0f, 0.0f }, 0.0f });
+  }
   result.size = surface.frame.size;
   result.area = surface.area() * surface.frame.size * surface.frame.size;
   if (options.count == 0 || surface.triangles.empty())
@@ -163,6 +168,11 @@ StippleHierarchy carryStipples(const TriangleMesh& mesh, Span<const CarriedStipp
   {
     carried.points = StippleMover(surface, reach).move(old);
     carried.growth = result.area / oldArea;
+    for (std::size_t i = 0; moved && i < old.size(); ++i)
+    {
+      const StippleCandidate& on = carried.points[i];
+      (*moved)[i] = { on.triangle, { on.weights[0], on.weights[1] }, old[i].spacing };
+    }
   }
   StippleSurfaceSource source(surface, options.seed);
   const std::vector<StippleCandidate> found =

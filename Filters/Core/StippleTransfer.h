@@ -32,14 +32,16 @@ struct CarriedStipple
 //   has the density, in points per area, that the old one had at its rank: even where there is a
 //   little less room for it than a new point would need. Where it does not fit it may later.
 // oldArea: StippleHierarchy::area of the surface before. origins: for every point the index of the
-// old one that it continues, or -1. Without old points the result is that of stippleSurface.
+// old one that it continues, or -1. moved, if wanted: every old point where it is on the new
+// surface, kept or not, with its old spacing; in triangle -1 where it is nowhere. Without old
+// points the result is that of stippleSurface.
 //
 // Throws std::invalid_argument as stippleSurface does, for StippleOrder::Classic, numbers that are
 // not finite, spacings and a reach below 0 and, with old points, an area that is not above 0. The
 // result does not depend on the number of threads.
 StippleHierarchy carryStipples(const TriangleMesh& mesh, Span<const CarriedStipple> old,
   double oldArea, const StippleOptions& options, std::vector<std::int32_t>& origins,
-  double reach = 0.0);
+  double reach = 0.0, std::vector<StipplePoint>* moved = nullptr);
 
 // The points of a hierarchy on its mesh, to be carried to another one.
 std::vector<CarriedStipple> carriedStipples(

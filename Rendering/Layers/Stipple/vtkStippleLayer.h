@@ -20,6 +20,13 @@
  * part that is seen, while Refinement is on, until they take MemoryBudget; then a warning says so,
  * and stipples are larger instead, so that the ink stays.
  *
+ * Stipples stay on a surface that deforms. Where it has other cells than in the last frame (an
+ * isosurface whose value changes, a time series), those of the progressive order go to the closest
+ * points of the new surface; the ones that still fit stay, gaps are filled, and what comes and goes
+ * grows and shrinks over Life such changes. A surface has its own ones in the first frame, where
+ * time goes backwards, where the mapper's input comes from elsewhere, and in the mode ANCHORED of
+ * vtkPatternStyle.
+ *
  * CLASSIC is the paper's way: edge collapses and splits order the points, one is drawn where the
  * picture of every edge to a relevant neighbour is longer than the threshold of the tone, and it
  * grows from frame to frame. It has NumberOfPoints, and no refinement.
@@ -113,6 +120,14 @@ public:
   vtkGetMacro(MemoryBudget, int);
   ///@}
 
+  ///@{
+  /** Where the surface has other cells than before, the number of such changes over which stipples
+   * grow that were not there, and shrink that do not fit any more. 0: every surface has stipples of
+   * its own. Range 0 to 1000, default 8. */
+  vtkSetClampMacro(Life, int, 0, 1000);
+  vtkGetMacro(Life, int);
+  ///@}
+
 #ifndef __VTK_WRAP__
   void DescribeField(hachure::StyleArchive& archive) override;
 #endif
@@ -133,6 +148,7 @@ private:
   int NumberOfPoints = 100000;
   bool Refinement = true;
   int MemoryBudget = 256;
+  int Life = 8;
 };
 
 #endif

@@ -103,14 +103,31 @@ void vtkStippleLayerPainter::Separate(const FieldScene& scene)
     });
 }
 
+// Those drawn from `first` on, of points of the base, by their shares.
+void vtkStippleLayerPainter::Fade(
+  const hachure::StippleTree& tree, const std::vector<float>& shares, std::size_t first)
+{
+  for (std::size_t i = first; !shares.empty() && i < this->Drawn.size(); ++i)
+  {
+    hachure::DrawnStipple& stipple = this->Drawn[i];
+    const std::uint64_t rank = tree.identity(stipple.node, stipple.index);
+    if (rank < shares.size())
+    {
+      stipple.disc.radius *= std::sqrt(shares[rank]);
+    }
+  }
+}
+
 void vtkStippleLayerPainter::Draw(
   const FieldScene& scene, int channel, hachure::Span<const float> depth)
 {
   const auto order = this->Layer->GetOrder() == vtkStippleLayer::CLASSIC
     ? hachure::StippleOrder::Classic
     : hachure::StippleOrder::Progressive;
-  const std::shared_ptr<hachure::StippleTree> tree =
-    scene.Surface->Stipples({ order, this->Layer->GetSeed(), this->Layer->GetNumberOfPoints() });
+  const int life = scene.History ? this->Layer->GetLife() : 0;
+  const std::shared_ptr<vtkPatternSurface::StippleSet> set = scene.Surface->Stipples(
+    { order, this->Layer->GetSeed(), this->Layer->GetNumberOfPoints(), life });
+  hachure::StippleTree& tree = set->Tree;
   hachure::StippleScene seen;
   seen.view.modelToClip = scene.ModelToClip;
   seen.view.viewportOrigin = { scene.Viewport[0], scene.Viewport[1] };
@@ -125,9 +142,18 @@ void vtkStippleLayerPainter::Draw(
   look.toneBySize = this->Layer->GetCarrier() == vtkStippleLayer::SIZE;
   const hachure::StippleDrawing drawing(seen, look);
   constexpr std::size_t bytesPerMiB = 1 << 20;
-  tree->setBudget(static_cast<std::size_t>(this->Layer->GetMemoryBudget()) * bytesPerMiB);
-  const bool refines = this->Layer->GetRefinement() && tree->canRefine();
-  const bool enough = hachure::drawStipples(*tree, drawing, refines, this->Drawn);
+  tree.setBudget(static_cast<std::size_t>(this->Layer->GetMemoryBudget()) * bytesPerMiB);
+  const bool refines = this->Layer->GetRefinement() && tree.canRefine();
+  const bool enough = hachure::drawStipples(tree, drawing, refines, this->Drawn);
+  this->Fade(tree, set->Living.shares, 0);
+  const std::size_t staying = this->Drawn.size();
+  if (!set->Living.leaving.empty())
+  {
+    std::vector<hachure::DrawnStipple> leaving;
+    hachure::drawStipples(set->Leaving, drawing, false, leaving);
+    this->Drawn.insert(this->Drawn.end(), leaving.begin(), leaving.end());
+    this->Fade(set->Leaving, set->Living.leavingShares, staying);
+  }
   this->Note = enough || !refines
     ? std::string()
     : "stipples that views asked for take all of the memory budget of " +

@@ -43,6 +43,7 @@ private:
   void SetTones(const FieldScene& scene, int channel, hachure::StippleScene& stipples);
   void Separate(const FieldScene& scene);
   void Draw(const FieldScene& scene, int channel, hachure::Span<const float> depth);
+  void Fade(const hachure::StippleTree& tree, const std::vector<float>& shares, std::size_t first);
   void Upload(const std::array<int, 4>& rectangle);
 
   vtkWeakPointer<vtkStippleLayer> Layer;

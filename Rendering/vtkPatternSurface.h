@@ -93,6 +93,9 @@ public:
   /// state.
   std::shared_ptr<StippleSet> Stipples(const StippleKey& key);
 
+  /// Those carried from surfaces before.
+  void ForgetStipples();
+
   hachure::TriangleMesh Mesh() const
   {
     return { this->Current->Positions, this->Current->Surface.triangles, {} };

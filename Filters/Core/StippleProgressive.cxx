@@ -30,6 +30,7 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace hachure
 {
@@ -442,7 +443,7 @@ public:
         this->source.prepare(candidatesFor(this->area, last, before), octave);
       // Candidates that have no room before all points are placed change nothing. If there are
       // still too few points then, all others had their say, too.
-      const float enough = radiusFor(this->count, before, first);
+      const float enough = radiusFor(this->count, this->usualNumber(), first);
       if (enough > last && !this->source.isExhausted())
       {
         this->fillOctave(candidates, enough);
@@ -459,6 +460,17 @@ public:
 
 private:
   bool isComplete() const { return this->isStopped || this->placed.size() >= at(this->count); }
+
+  // So many points as there mostly are at the radius: carried ones come in somewhat earlier, until
+  // there are no more of them.
+  std::size_t usualNumber() const
+  {
+    const double usual =
+      pointsPerDisc * this->area / (static_cast<double>(this->radius) * this->radius);
+    return this->carried.points.empty()
+      ? this->placed.size()
+      : std::min(this->placed.size(), static_cast<std::size_t>(usual));
+  }
 
   void report()
   {
@@ -491,14 +503,23 @@ private:
         isPlaced[at(carriedIndex(point))] = 1;
       }
     }
-    std::vector<StippleCandidate> waiting;
+    const StippleGrid grid(reach);
+    std::vector<std::pair<std::uint64_t, std::int32_t>> order; // near each other in space
+    order.reserve(at(due));
     for (std::int32_t i = 0; i < due; ++i)
     {
       if (isPlaced[at(i)] == 0 && this->carried.points[at(i)].triangle >= 0)
       {
-        waiting.push_back(this->carried.points[at(i)]);
-        waiting.back().triangle = -1 - i;
+        order.emplace_back(grid.nameOf(this->carried.points[at(i)].place), i);
       }
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<StippleCandidate> waiting;
+    waiting.reserve(order.size());
+    for (const auto& [name, i] : order)
+    {
+      waiting.push_back(this->carried.points[at(i)]);
+      waiting.back().triangle = -1 - i;
     }
     constexpr std::int64_t grain = 1024;
     parallelForRanges(static_cast<std::int64_t>(waiting.size()), grain,

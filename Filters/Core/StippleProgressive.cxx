@@ -30,6 +30,7 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace hachure
 {
@@ -59,11 +60,6 @@ constexpr std::int64_t candidateGrain = 16384;
 constexpr float leastCarriedRoom = 0.75f;
 constexpr double soonRatio = 1.25; // of densities
 
-struct TriangleRange
-{
-  std::int32_t first = 0, last = std::numeric_limits<std::int32_t>::max();
-};
-
 std::size_t at(std::int64_t index)
 {
   return static_cast<std::size_t>(index);
@@ -75,8 +71,10 @@ class CandidateCells
 public:
   CandidateCells(const std::vector<StippleCandidate>& someCandidates, float side);
 
-  // From now on, only candidates of these triangles; below 0: carried ones.
-  void choose(const TriangleRange& among);
+  // From now on, only carried candidates, those of the first `due` points.
+  void chooseCarried(std::int32_t due);
+  // Only new ones, as at the beginning.
+  void chooseNew() { this->kind = New; }
   // Places candidates until all are more crowded than the limit, and appends them.
   void fill(float mostCrowded, std::vector<StippleCandidate>& placed);
 
@@ -101,18 +99,28 @@ private:
       ? first.crowding < second.crowding
       : this->hashOf(first.candidate) > this->hashOf(second.candidate);
   }
+  enum Kind
+  {
+    New,
+    Carried
+  };
+
+  const Best& bestOf(std::int32_t cell) const { return this->best[this->kind][at(cell)]; }
   void linkNeighbours(float side);
   void findBest(std::int32_t cell);
+  void findBestCarried(std::int32_t cell);
   bool isChosen(std::int32_t cell) const;
   void place(std::int32_t cell, std::vector<StippleCandidate>& placed);
   void crowd(std::int32_t cell);
 
   float reachSquare;
-  TriangleRange choice;
+  Kind kind = New;
+  std::int32_t carriedDue = 0;
   std::vector<StippleCandidate> candidates; // by cell
   StippleCells cells;
   std::vector<std::int32_t> firstNeighbour, neighbours; // of each cell, with itself
-  std::vector<Best> best;                               // of each cell
+  std::vector<std::int32_t> firstCarried;               // of each cell, after the new ones
+  std::vector<Best> best[2];                            // of each cell, by kind
   std::vector<std::int32_t> chosen;                     // candidate placed now, or -1
   std::vector<char> isTouched;
 };
@@ -130,11 +138,23 @@ CandidateCells::CandidateCells(const std::vector<StippleCandidate>& someCandidat
     [&](std::int64_t i)
     { this->candidates[at(i)] = someCandidates[at(this->cells.members[at(i)])]; });
   this->linkNeighbours(side);
-  this->best.resize(at(this->cells.size()));
+  this->best[New].resize(at(this->cells.size()));
+  this->best[Carried].resize(at(this->cells.size()));
+  this->firstCarried.resize(at(this->cells.size()));
   this->chosen.assign(at(this->cells.size()), -1);
   this->isTouched.assign(at(this->cells.size()), 0);
   parallelFor(this->cells.size(),
-    [this](std::int64_t cell) { this->findBest(static_cast<std::int32_t>(cell)); });
+    [this](std::int64_t cell)
+    {
+      const StippleCells::Range range = this->cells.range(static_cast<std::int32_t>(cell));
+      std::int32_t first = range.end; // carried candidates came last, and so they are in the cell
+      while (first > range.begin && this->candidates[at(first - 1)].triangle < 0)
+      {
+        --first;
+      }
+      this->firstCarried[at(cell)] = first;
+      this->findBest(static_cast<std::int32_t>(cell));
+    });
 }
 
 void CandidateCells::linkNeighbours(float side)
@@ -177,42 +197,52 @@ void CandidateCells::linkNeighbours(float side)
 
 void CandidateCells::findBest(std::int32_t cell)
 {
-  const StippleCells::Range range = this->cells.range(cell);
   Best result;
-  for (std::int32_t i = range.begin; i < range.end; ++i)
+  for (std::int32_t i = this->cells.range(cell).begin; i < this->firstCarried[at(cell)]; ++i)
   {
     const Best other = { this->candidates[at(i)].crowding, i };
-    const std::int32_t key = this->candidates[at(i)].triangle;
-    if (key < this->choice.first || key > this->choice.last)
-    {
-      continue;
-    }
     if (result.candidate < 0 || this->isBetter(other, result))
     {
       result = other;
     }
   }
-  this->best[at(cell)] = result;
+  this->best[New][at(cell)] = result;
 }
 
-void CandidateCells::choose(const TriangleRange& among)
+void CandidateCells::findBestCarried(std::int32_t cell)
 {
-  this->choice = among;
+  Best result;
+  for (std::int32_t i = this->firstCarried[at(cell)]; i < this->cells.range(cell).end; ++i)
+  {
+    const Best other = { this->candidates[at(i)].crowding, i };
+    if (carriedIndex(this->candidates[at(i)]) < this->carriedDue &&
+      (result.candidate < 0 || this->isBetter(other, result)))
+    {
+      result = other;
+    }
+  }
+  this->best[Carried][at(cell)] = result;
+}
+
+void CandidateCells::chooseCarried(std::int32_t due)
+{
+  this->kind = Carried;
+  this->carriedDue = due;
   parallelFor(this->cells.size(),
-    [this](std::int64_t cell) { this->findBest(static_cast<std::int32_t>(cell)); });
+    [this](std::int64_t cell) { this->findBestCarried(static_cast<std::int32_t>(cell)); });
 }
 
 // Whether no better candidate is so near that it would change this one's room by much.
 bool CandidateCells::isChosen(std::int32_t cell) const
 {
   constexpr float nearRatio = 1.5f; // of distance and room
-  const Best& own = this->best[at(cell)];
+  const Best& own = this->bestOf(cell);
   const StippleCandidate& candidate = this->candidates[at(own.candidate)];
   const float nearest = nearRatio * stippleRoom(own.crowding, std::sqrt(this->reachSquare));
   for (std::int32_t k = this->firstNeighbour[at(cell)]; k < this->firstNeighbour[at(cell + 1)]; ++k)
   {
     const std::int32_t neighbour = this->neighbours[at(k)];
-    const Best& other = this->best[at(neighbour)];
+    const Best& other = this->bestOf(neighbour);
     if (neighbour != cell && this->isBetter(other, own))
     {
       const StippleCandidate& better = this->candidates[at(other.candidate)];
@@ -228,8 +258,8 @@ bool CandidateCells::isChosen(std::int32_t cell) const
 
 void CandidateCells::place(std::int32_t cell, std::vector<StippleCandidate>& placed)
 {
-  placed.push_back(this->candidates[at(this->best[at(cell)].candidate)]);
-  this->chosen[at(cell)] = this->best[at(cell)].candidate;
+  placed.push_back(this->candidates[at(this->bestOf(cell).candidate)]);
+  this->chosen[at(cell)] = this->bestOf(cell).candidate;
 }
 
 // Takes the points just placed around a cell into account.
@@ -255,6 +285,7 @@ void CandidateCells::crowd(std::int32_t cell)
     }
   }
   this->findBest(cell);
+  this->findBestCarried(cell);
 }
 
 void CandidateCells::fill(float mostCrowded, std::vector<StippleCandidate>& placed)
@@ -262,7 +293,7 @@ void CandidateCells::fill(float mostCrowded, std::vector<StippleCandidate>& plac
   std::vector<std::int32_t> open; // cells that have a candidate with room enough
   for (std::int32_t cell = 0; cell < this->cells.size(); ++cell)
   {
-    if (this->best[at(cell)].crowding <= mostCrowded)
+    if (this->bestOf(cell).crowding <= mostCrowded)
     {
       open.push_back(cell);
     }
@@ -305,7 +336,7 @@ void CandidateCells::fill(float mostCrowded, std::vector<StippleCandidate>& plac
     touched.clear();
     placing.clear();
     open.erase(std::remove_if(open.begin(), open.end(),
-                 [&](std::int32_t cell) { return this->best[at(cell)].crowding > mostCrowded; }),
+                 [&](std::int32_t cell) { return this->bestOf(cell).crowding > mostCrowded; }),
       open.end());
   }
 }
@@ -390,15 +421,15 @@ class GapFiller
 {
 public:
   GapFiller(StippleSource& someSource, double anArea, const std::vector<StippleBorder>& someBorders,
-    std::int64_t aCount, const ProgressFn& aProgress, const CarriedCandidates& someCarried)
+    std::int64_t wanted, const ProgressFn& aProgress, const CarriedCandidates& someCarried)
     : source(someSource)
     , area(anArea)
     , borders(someBorders)
-    , count(aCount)
+    , count(wanted)
     , progress(aProgress)
     , carried(someCarried)
   {
-    this->placed.reserve(at(aCount));
+    this->placed.reserve(at(wanted));
   }
 
   std::vector<StippleCandidate> run()
@@ -412,7 +443,7 @@ public:
         this->source.prepare(candidatesFor(this->area, last, before), octave);
       // Candidates that have no room before all points are placed change nothing. If there are
       // still too few points then, all others had their say, too.
-      const float enough = radiusFor(this->count, before, first);
+      const float enough = radiusFor(this->count, this->usualNumber(), first);
       if (enough > last && !this->source.isExhausted())
       {
         this->fillOctave(candidates, enough);
@@ -429,6 +460,17 @@ public:
 
 private:
   bool isComplete() const { return this->isStopped || this->placed.size() >= at(this->count); }
+
+  // So many points as there mostly are at the radius: carried ones come in somewhat earlier, until
+  // there are no more of them.
+  std::size_t usualNumber() const
+  {
+    const double usual =
+      pointsPerDisc * this->area / (static_cast<double>(this->radius) * this->radius);
+    return this->carried.points.empty()
+      ? this->placed.size()
+      : std::min(this->placed.size(), static_cast<std::size_t>(usual));
+  }
 
   void report()
   {
@@ -461,14 +503,23 @@ private:
         isPlaced[at(carriedIndex(point))] = 1;
       }
     }
-    std::vector<StippleCandidate> waiting;
+    const StippleGrid grid(reach);
+    std::vector<std::pair<std::uint64_t, std::int32_t>> order; // near each other in space
+    order.reserve(at(due));
     for (std::int32_t i = 0; i < due; ++i)
     {
       if (isPlaced[at(i)] == 0 && this->carried.points[at(i)].triangle >= 0)
       {
-        waiting.push_back(this->carried.points[at(i)]);
-        waiting.back().triangle = -1 - i;
+        order.emplace_back(grid.nameOf(this->carried.points[at(i)].place), i);
       }
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<StippleCandidate> waiting;
+    waiting.reserve(order.size());
+    for (const auto& [name, i] : order)
+    {
+      waiting.push_back(this->carried.points[at(i)]);
+      waiting.back().triangle = -1 - i;
     }
     constexpr std::int64_t grain = 1024;
     parallelForRanges(static_cast<std::int64_t>(waiting.size()), grain,
@@ -492,11 +543,11 @@ private:
     {
       return;
     }
-    cells.choose({ -this->dueAt(before, this->radius, 1.0), -1 });
+    cells.chooseCarried(this->dueAt(before, this->radius, 1.0));
     cells.fill(crowdingFor(leastCarriedRoom * this->radius, reach), this->placed);
-    cells.choose({ -this->dueAt(before, this->radius, soonRatio), -1 });
+    cells.chooseCarried(this->dueAt(before, this->radius, soonRatio));
     cells.fill(crowdingFor(this->radius, reach), this->placed);
-    cells.choose(TriangleRange());
+    cells.chooseNew();
   }
 
   // All gaps wider than `last`, or until there are points enough.

@@ -23,6 +23,15 @@ float stippleGrowth(float wanted, float growth);
 // Mean area of the discs at any density over that of grown ones.
 float stippleMeanArea(float growth);
 
+// As stippleDiscArea, for classic stipples that are drawn where their shortest edge in the picture
+// is longer than a threshold, which is the same all over. They are spread less evenly, and overlap
+// more. Tone 1 has an ink of .993.
+float stippleClassicDiscArea(float tone, float facing);
+
+// How many of them there are per area of the picture, times the square of the threshold. The mean
+// of hierarchies with splits; in a single one it may be off by a tenth (StippleThresholds).
+float stippleEdgeCrowd(float facing);
+
 // Stipples per square of a grown disc's diameter that make the tone.
 float stippleCrowd(float tone, float facing, float growth);
 

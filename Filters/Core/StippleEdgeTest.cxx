@@ -20,6 +20,7 @@ namespace
 {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr double leastDensity = 1e-300;
 
 // The shortest edge of a point in the picture, pixels.
 double shortestEdge(
@@ -105,8 +106,9 @@ StippleEdgeTest::Wanted StippleEdgeTest::wantedAt(
   }
   constexpr double discOfSquare = 0.78539816339745; // area of a disc over that of its square
   const double density = area / (discOfSquare * diameter * diameter * perPixel);
-  const double highest = thresholds.highest();
-  magnified *= density > highest && highest > 0.0 ? std::sqrt(density / highest) : 1.0;
+  const double used = density / std::max(thresholds.highest(), leastDensity);
+  const auto lack = static_cast<double>(stippleEdgeLack(place.facing, static_cast<float>(used)));
+  magnified *= std::sqrt(std::max(used, 1.0) / (1.0 - lack));
   const double tilt =
     std::sqrt(static_cast<double>(stippleEdgeCrowd(place.facing) / stippleEdgeCrowd(1.0f)));
   return { diameter * magnified, thresholds.threshold(density) * tilt / std::sqrt(perPixel) };

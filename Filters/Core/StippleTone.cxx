@@ -71,6 +71,10 @@ constexpr float classicDiscAreas[facingCount][classicToneCount] = {
 constexpr float edgeCrowds[facingCount] = { 0.427f, 0.423f, 0.413f, 0.405f, 0.416f, 0.463f, 0.616f,
   0.804f };
 
+// From ten of these with all stipples of any use; the same for used shares above .75.
+constexpr float edgeLacks[facingCount] = { 0.0f, 0.005f, 0.03f, 0.05f, 0.1f, 0.155f, 0.19f, 0.15f };
+constexpr float leastUsed = 0.45f, mostUsed = 0.75f;
+
 // A place between two entries of a table.
 struct Between
 {
@@ -102,6 +106,13 @@ float valueAt(const float (&areas)[facingCount][count], const Between& column, f
   return at(row.first) + row.share * (at(row.first + 1) - at(row.first));
 }
 
+float valueAt(const float (&values)[facingCount], float facing)
+{
+  const Between row = placeOf(facing, facings, facingCount);
+  const float* const entries = values + row.first;
+  return entries[0] + row.share * (entries[1] - entries[0]);
+}
+
 } // namespace
 
 float stippleDiscArea(float tone, float facing)
@@ -116,9 +127,13 @@ float stippleClassicDiscArea(float tone, float facing)
 
 float stippleEdgeCrowd(float facing)
 {
-  const Between row = placeOf(facing, facings, facingCount);
-  const float* const crowds = edgeCrowds + row.first;
-  return crowds[0] + row.share * (crowds[1] - crowds[0]);
+  return valueAt(edgeCrowds, facing);
+}
+
+float stippleEdgeLack(float facing, float used)
+{
+  const float share = (used - leastUsed) / (mostUsed - leastUsed);
+  return std::clamp(share, 0.0f, 1.0f) * valueAt(edgeLacks, facing);
 }
 
 float stippleGrowth(float wanted, float growth)

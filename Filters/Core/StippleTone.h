@@ -32,6 +32,10 @@ float stippleClassicDiscArea(float tone, float facing);
 // of hierarchies with splits; in a single one it may be off by a tenth (StippleThresholds).
 float stippleEdgeCrowd(float facing);
 
+// There are fewer by this share, 0 to 1, where nearly all of a hierarchy's stipples are drawn: of
+// those that the tilt would let in, some have not been made. used: the density over the highest.
+float stippleEdgeLack(float facing, float used);
+
 // Stipples per square of a grown disc's diameter that make the tone.
 float stippleCrowd(float tone, float facing, float growth);
 

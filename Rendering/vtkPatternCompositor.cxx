@@ -237,6 +237,14 @@ std::string vtkPatternCompositor::DrawForwardFields(const vtkPatternLayerPainter
   return this->ForFields(&vtkPatternLayerPainter::DrawForwardField, scene);
 }
 
+void vtkPatternCompositor::CollectDiscs(std::vector<vtkPatternLayerPainter::Disc>& discs) const
+{
+  for (const Drawn& layer : this->Layers)
+  {
+    layer.Painter->CollectDiscs(discs);
+  }
+}
+
 std::string vtkPatternCompositor::ForFields(
   FieldFunction draw, const vtkPatternLayerPainter::FieldScene& scene)
 {

@@ -50,6 +50,9 @@ public:
   /// The same before a translucent surface is drawn.
   std::string DrawForwardFields(const vtkPatternLayerPainter::FieldScene& scene);
 
+  /// Discs that the layers' fields are made of, in the order of the layers.
+  void CollectDiscs(std::vector<vtkPatternLayerPainter::Disc>& discs) const;
+
   /// Which octave of a layer's pattern every patch draws, for the draws that follow; layers that
   /// are not there go by the scale.
   using Octaves = std::map<vtkSmartPointer<vtkPatternLayer>, std::vector<hachure::TimedOctave>>;

@@ -449,6 +449,7 @@ void vtkPatternMapper::RenderForward(Drawing& drawing)
     this->Superclass::Render(drawing.Renderer, drawing.Actor);
     return;
   }
+  this->StoreStipples(drawing);
   this->UpdatePrimitiveIds(drawing.Part.Compositor.GetAttributes().PrimitiveIds);
   vtkPatternShaderInjector* injector = this->Internal->ForwardInjector;
   injector->Configure(vtkPatternShaderInjector::FORWARD, this->Internal->Channels,
@@ -507,6 +508,7 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
     }
     this->UploadPatchRecords(drawing);
     this->DrawFields(drawing, modelToClip, false);
+    this->StoreStipples(drawing);
     const vtkPatternScreenPass::Scene scene = { drawing.Renderer, drawing.Actor, drawing.Window,
       this->Style, drawing.Viewport, drawing.Rectangle, drawing.Track->Frames, this->GetNanColor(),
       drawing.Part.PatchRecords.Shapes.Texture, drawing.Part.PatchRecords.Weights.Texture };

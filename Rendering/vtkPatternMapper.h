@@ -241,10 +241,14 @@ public:
     vtkPolyData* block, const std::vector<vtkIdType>& cells, std::vector<float>& ids);
   std::vector<hachure::PatternFrame> AnchoredFrames(const hachure::TrackedSamples& samples,
     const hachure::ViewProjection& view, vtkRenderer* renderer);
+  /// Whether the stipples of pictures are kept for CollectStipples. Switched off they are
+  /// forgotten.
+  void KeepStipples(bool keep);
   /// Appends the stipples of the last picture as they were drawn, in framebuffer pixels of the
-  /// renderer's viewport, y up, from its lower left corner.
-  void CollectStipples(
-    vtkRenderer* renderer, vtkActor* actor, std::vector<hachure::VectorDisc>& discs);
+  /// renderer's viewport, y up, from its lower left corner; and of each the window depth of what
+  /// would hide it.
+  void CollectStipples(vtkRenderer* renderer, vtkActor* actor,
+    std::vector<hachure::VectorDisc>& discs, std::vector<float>& depths);
 #endif
 
 protected:
@@ -280,6 +284,7 @@ private:
   class vtkPatternNoiseHistory* NoiseHistory(Drawing& drawing);
   void UpdateSurface();
   bool DrawFields(Drawing& drawing, const glm::dmat4& modelToClip, bool forward);
+  void StoreStipples(Drawing& drawing);
   bool HasRemainder(vtkActor* actor);
   std::array<double, 3> GetNanColor();
 

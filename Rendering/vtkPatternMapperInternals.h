@@ -26,6 +26,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct vtkPatternMapper::WindowPart
@@ -54,6 +55,8 @@ struct vtkPatternMapper::Internals
   vtkNew<vtkPatternShaderInjector> AttributeInjector;
   vtkNew<vtkPatternShaderInjector> PeelInjector;
   vtkNew<vtkPatternShaderInjector> ForwardInjector;
+  bool KeepsStipples = false;
+  std::map<std::pair<vtkRenderer*, vtkActor*>, std::vector<vtkPatternLayerPainter::Disc>> Stipples;
   std::vector<double> KeyTimes;
   std::string ChannelError;
   std::string ReportedStyle;

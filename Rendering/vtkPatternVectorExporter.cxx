@@ -24,7 +24,9 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
 #include <map>
 #include <vector>
@@ -102,6 +104,15 @@ void ForEachPattern(vtkRenderer* renderer, Body&& body)
   }
 }
 
+void KeepStipples(const std::vector<vtkRenderer*>& renderers, bool keep)
+{
+  for (vtkRenderer* renderer : renderers)
+  {
+    ForEachPattern(
+      renderer, [keep](vtkActor*, vtkPatternMapper* mapper) { mapper->KeepStipples(keep); });
+  }
+}
+
 std::map<vtkRenderer*, Region> DrawAndReadDepth(
   vtkRenderWindow* window, const std::vector<vtkRenderer*>& renderers)
 {
@@ -112,6 +123,7 @@ std::map<vtkRenderer*, Region> DrawAndReadDepth(
   {
     tags.push_back(renderer->AddObserver(vtkCommand::EndEvent, reader));
   }
+  KeepStipples(renderers, true);
   window->Render();
   for (std::size_t i = 0; i < renderers.size(); ++i)
   {
@@ -212,17 +224,33 @@ public:
     }
   }
 
+  // Those that something else hides are left out.
   void AddDiscs(vtkActor* actor, vtkPatternMapper* mapper)
   {
-    const std::size_t before = this->Page.discs.size();
-    mapper->CollectStipples(this->Renderer, actor, this->Page.discs);
-    for (std::size_t i = before; i < this->Page.discs.size(); ++i)
+    std::vector<hachure::VectorDisc> discs;
+    std::vector<float> depths;
+    mapper->CollectStipples(this->Renderer, actor, discs, depths);
+    for (std::size_t i = 0; i < discs.size(); ++i)
     {
-      this->Page.discs[i].center += this->Corner;
+      if (this->DepthAt(discs[i].center) >= depths[i])
+      {
+        discs[i].center += this->Corner;
+        this->Page.discs.push_back(discs[i]);
+      }
     }
   }
 
 private:
+  // Of the pixel, or the nearest one.
+  float DepthAt(const glm::dvec2& place) const
+  {
+    const int width = this->Drawn.Rectangle[2];
+    const int column = std::clamp(static_cast<int>(std::floor(place.x)), 0, width - 1);
+    const int row =
+      std::clamp(static_cast<int>(std::floor(place.y)), 0, this->Drawn.Rectangle[3] - 1);
+    return this->Drawn.Depth->GetValue(static_cast<vtkIdType>(row) * width + column);
+  }
+
   vtkRenderer* Renderer;
   const Region& Drawn;
   hachure::VectorPage& Page;
@@ -275,6 +303,7 @@ void vtkPatternVectorExporter::WriteData()
           });
       }
     }
+    KeepStipples(renderers, false);
     hachure::writeVectorPage(page, this->FileName);
   }
   catch (const std::exception& error)

@@ -9,14 +9,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hachure
 {
 
-StippleCrowd::StippleCrowd(float width, float aReach)
+StippleCrowd::StippleCrowd(float width, float aReach, float aMostCrowded)
   : half(0.5f * width)
   , reach(aReach)
   , reachSquare(aReach * aReach)
+  , mostCrowded(aMostCrowded)
+  , cellsPerLength(1.0f / aReach)
   , count(std::max(1, static_cast<int>(std::ceil(width / aReach))))
 {
 }
@@ -28,15 +31,15 @@ bool StippleCrowd::isWithin(const glm::vec3& place) const
 
 glm::ivec3 StippleCrowd::cellOf(const glm::vec3& place) const
 {
-  const glm::ivec3 cell((place + this->half) / this->reach); // above 0: cut off is floor
+  const glm::ivec3 cell((place + this->half) * this->cellsPerLength); // above 0: cut off is floor
   return glm::clamp(cell, glm::ivec3(0), glm::ivec3(this->count - 1));
 }
 
 template <class Visit>
-void StippleCrowd::visitAround(const glm::ivec3& cell, Visit&& visit) const
+void StippleCrowd::visitBlock(const glm::ivec3& from, const glm::ivec3& to, Visit&& visit) const
 {
-  const glm::ivec3 low = glm::max(cell - 1, glm::ivec3(0));
-  const glm::ivec3 high = glm::min(cell + 1, glm::ivec3(this->count - 1));
+  const glm::ivec3 low = glm::max(from, glm::ivec3(0));
+  const glm::ivec3 high = glm::min(to, glm::ivec3(this->count - 1));
   for (int z = low.z; z <= high.z; ++z)
   {
     for (int y = low.y; y <= high.y; ++y)
@@ -53,7 +56,8 @@ template <class T>
 std::vector<std::int32_t> StippleCrowd::sortByCell(
   const std::vector<T>& items, std::vector<std::int32_t>& firstOfCell) const
 {
-  const auto cellCount = static_cast<std::size_t>(this->count * this->count * this->count);
+  const auto side = static_cast<std::size_t>(this->count);
+  const std::size_t cellCount = side * side * side;
   firstOfCell.assign(cellCount + 1, 0);
   std::vector<std::int32_t> cellOfItem(items.size(), -1);
   for (std::size_t i = 0; i < items.size(); ++i)
@@ -82,19 +86,112 @@ std::vector<std::int32_t> StippleCrowd::sortByCell(
   return sorted;
 }
 
-void StippleCrowd::begin(std::vector<Candidate>&& someCandidates, const std::vector<Point>& points,
-  const std::vector<StippleBorder>& borders, float aMostCrowded)
+void StippleCrowd::setAround(
+  const std::vector<Point>& somePoints, const std::vector<StippleBorder>& borders)
 {
-  this->mostCrowded = aMostCrowded;
-  std::vector<std::int32_t> firstOfCell, firstPoint;
-  const std::vector<std::int32_t> order = this->sortByCell(someCandidates, firstOfCell);
-  const std::vector<std::int32_t> pointOrder = this->sortByCell(points, firstPoint);
-  this->candidates.clear();
-  this->candidates.reserve(order.size());
+  const std::vector<std::int32_t> order = this->sortByCell(somePoints, this->firstPoint);
+  this->points.clear();
+  this->points.reserve(order.size());
   for (const std::int32_t i : order)
   {
-    this->candidates.push_back(someCandidates[static_cast<std::size_t>(i)]);
+    this->points.push_back(somePoints[static_cast<std::size_t>(i)]);
   }
+  this->around.assign(this->firstPoint.size() - 1, Around());
+  for (const StippleBorder& border : borders)
+  {
+    this->addBorder(border);
+  }
+}
+
+void StippleCrowd::addBorder(const StippleBorder& border)
+{
+  const float farthest = this->reach / stippleMirrorDistance;
+  const glm::vec3 low = glm::min(border.ends[0], border.ends[1]) - farthest;
+  const glm::vec3 high = glm::max(border.ends[0], border.ends[1]) + farthest;
+  if (glm::all(glm::lessThan(low, glm::vec3(this->half))) &&
+    glm::all(glm::greaterThan(high, glm::vec3(-this->half))))
+  {
+    this->visitBlock(this->cellOf(glm::max(low, glm::vec3(-this->half))),
+      this->cellOf(glm::min(high, glm::vec3(this->half))),
+      [&](std::size_t index) { this->around[index].borders.push_back(border); });
+  }
+}
+
+const StippleCrowd::Around& StippleCrowd::aroundOf(const glm::ivec3& cell)
+{
+  Around& result = this->around[this->indexOf(cell)];
+  if (!result.isKnown)
+  {
+    result.isKnown = true;
+    result.begin = static_cast<std::int32_t>(this->aroundPoints.size());
+    const auto add = [this](std::size_t other)
+    {
+      this->aroundPoints.insert(this->aroundPoints.end(),
+        this->points.begin() + this->firstPoint[other],
+        this->points.begin() + this->firstPoint[other + 1]);
+    };
+    const std::size_t own = this->indexOf(cell);
+    add(own); // most places are left out because of a point near by
+    this->visitAround(cell,
+      [&](std::size_t other)
+      {
+        if (other != own)
+        {
+          add(other);
+        }
+      });
+    result.end = static_cast<std::int32_t>(this->aroundPoints.size());
+  }
+  return result;
+}
+
+void StippleCrowd::offer(const Candidate& candidate)
+{
+  if (!this->isWithin(candidate.place))
+  {
+    return;
+  }
+  float crowding = 0.0f;
+  const Around& near = this->aroundOf(this->cellOf(candidate.place));
+  for (std::int32_t i = near.begin; i < near.end; ++i)
+  {
+    const Point& point = this->aroundPoints[static_cast<std::size_t>(i)];
+    const glm::vec3 offset = candidate.place - point.place;
+    const float square = glm::dot(offset, offset);
+    if (square < this->reachSquare && square < point.nearer * point.nearer &&
+      stipplesMatter(candidate.normal, point.normal))
+    {
+      crowding += stippleCrowding(square, this->reachSquare);
+      if (crowding > this->mostCrowded)
+      {
+        return;
+      }
+    }
+  }
+  float byBorder = 0.0f;
+  for (const StippleBorder& border : near.borders)
+  {
+    byBorder = std::max(
+      byBorder, stippleBorderCrowding(candidate.place, candidate.normal, border, this->reach));
+  }
+  if (crowding + byBorder <= this->mostCrowded)
+  {
+    this->candidates.push_back(candidate);
+    this->candidates.back().crowding = crowding + byBorder;
+  }
+}
+
+void StippleCrowd::begin()
+{
+  std::vector<std::int32_t> firstOfCell;
+  const std::vector<std::int32_t> order = this->sortByCell(this->candidates, firstOfCell);
+  std::vector<Candidate> sorted;
+  sorted.reserve(order.size());
+  for (const std::int32_t i : order)
+  {
+    sorted.push_back(this->candidates[static_cast<std::size_t>(i)]);
+  }
+  this->candidates = std::move(sorted);
   this->cells.assign(firstOfCell.size() - 1, Cell());
   for (std::size_t i = 0; i < this->cells.size(); ++i)
   {
@@ -103,78 +200,9 @@ void StippleCrowd::begin(std::vector<Candidate>&& someCandidates, const std::vec
     if (this->cells[i].begin < this->cells[i].end)
     {
       this->filledCells.push_back(static_cast<std::int32_t>(i));
+      this->findBest(this->cells[i]);
     }
   }
-  this->crowdByBorders(borders);
-  std::vector<Point> around;
-  for (const std::int32_t index : this->filledCells)
-  {
-    const Cell& cell = this->cells[static_cast<std::size_t>(index)];
-    around.clear();
-    this->visitAround(this->cellOf(this->candidates[static_cast<std::size_t>(cell.begin)].place),
-      [&](std::size_t other)
-      {
-        for (std::int32_t i = firstPoint[other]; i < firstPoint[other + 1]; ++i)
-        {
-          around.push_back(
-            points[static_cast<std::size_t>(pointOrder[static_cast<std::size_t>(i)])]);
-        }
-      });
-    this->crowdCell(static_cast<std::size_t>(index), around);
-  }
-}
-
-void StippleCrowd::crowdByBorders(const std::vector<StippleBorder>& borders)
-{
-  const float farthest = this->reach / stippleMirrorDistance;
-  for (const StippleBorder& border : borders)
-  {
-    const glm::vec3 low = glm::min(border.ends[0], border.ends[1]) - farthest;
-    const glm::vec3 high = glm::max(border.ends[0], border.ends[1]) + farthest;
-    if (glm::any(glm::greaterThan(low, glm::vec3(this->half))) ||
-      glm::any(glm::lessThan(high, glm::vec3(-this->half))))
-    {
-      continue;
-    }
-    const glm::ivec3 first = this->cellOf(glm::max(low, glm::vec3(-this->half)));
-    const glm::ivec3 last = this->cellOf(glm::min(high, glm::vec3(this->half)));
-    for (int i = 0; i < (last.x - first.x + 1) * (last.y - first.y + 1) * (last.z - first.z + 1);
-         ++i)
-    {
-      const int width = last.x - first.x + 1;
-      const int height = last.y - first.y + 1;
-      const Cell& cell = this->cells[this->indexOf(
-        first + glm::ivec3(i % width, i / width % height, i / width / height))];
-      for (std::int32_t k = cell.begin; k < cell.end; ++k)
-      {
-        Candidate& candidate = this->candidates[static_cast<std::size_t>(k)];
-        candidate.crowding = std::max(candidate.crowding,
-          stippleBorderCrowding(candidate.place, candidate.normal, border, this->reach));
-      }
-    }
-  }
-}
-
-void StippleCrowd::crowdCell(std::size_t index, const std::vector<Point>& around)
-{
-  Cell& cell = this->cells[index];
-  for (std::int32_t i = cell.begin; i < cell.end; ++i)
-  {
-    Candidate& candidate = this->candidates[static_cast<std::size_t>(i)];
-    float sum = 0.0f;
-    for (const Point& point : around)
-    {
-      const glm::vec3 offset = candidate.place - point.place;
-      const float square = glm::dot(offset, offset);
-      if (square < this->reachSquare && square < point.nearer * point.nearer &&
-        stipplesMatter(candidate.normal, point.normal))
-      {
-        sum += stippleCrowding(square, this->reachSquare);
-      }
-    }
-    candidate.crowding += sum;
-  }
-  this->findBest(cell);
 }
 
 void StippleCrowd::findBest(Cell& cell)
@@ -200,18 +228,24 @@ void StippleCrowd::findBest(Cell& cell)
   }
 }
 
-const StippleCrowd::Candidate* StippleCrowd::least() const
+const StippleCrowd::Candidate* StippleCrowd::least()
 {
-  const Cell* best = nullptr;
+  std::int32_t best = -1;
+  float leastCrowding = std::numeric_limits<float>::infinity();
+  std::size_t kept = 0;
   for (const std::int32_t index : this->filledCells)
   {
     const Cell& cell = this->cells[static_cast<std::size_t>(index)];
-    if (cell.best >= 0 && (best == nullptr || cell.leastCrowding < best->leastCrowding))
+    this->filledCells[kept] = index;
+    kept += cell.best >= 0 ? 1 : 0; // an empty one stays empty
+    if (cell.leastCrowding < leastCrowding)
     {
-      best = &cell;
+      leastCrowding = cell.leastCrowding;
+      best = cell.best;
     }
   }
-  return best != nullptr ? &this->candidates[static_cast<std::size_t>(best->best)] : nullptr;
+  this->filledCells.resize(kept);
+  return best >= 0 ? &this->candidates[static_cast<std::size_t>(best)] : nullptr;
 }
 
 void StippleCrowd::crowdBy(const Point& point)

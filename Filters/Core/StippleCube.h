@@ -3,6 +3,7 @@
 #ifndef hachure_StippleCube_h
 #define hachure_StippleCube_h
 
+#include "StippleCells.h"
 #include "StippleSurface.h"
 
 #include <glm/common.hpp>
@@ -45,14 +46,7 @@ struct StippleCube
   }
   std::uint64_t code() const
   {
-    std::uint64_t result = 1;
-    for (int bit = this->level - 1; bit >= 0; --bit)
-    {
-      result = result << 3 | static_cast<std::uint64_t>(this->cell.x >> bit & 1) |
-        static_cast<std::uint64_t>(this->cell.y >> bit & 1) << 1 |
-        static_cast<std::uint64_t>(this->cell.z >> bit & 1) << 2;
-    }
-    return result;
+    return StippleGrid::name(this->cell) | std::uint64_t{ 1 } << (3 * this->level);
   }
   double side() const { return std::ldexp(1.0, -this->level); }
   glm::dvec3 low() const { return glm::dvec3(this->cell) * this->side() - 0.5; }

@@ -281,6 +281,7 @@ bool StippleDrawing::finish(
   this->setDepth(rows, normal, place);
   const float radius = 0.5f * diameter * grown * this->visibleShare(place);
   stipple.disc = { place.x, place.y, radius };
+  stipple.nearest = place.depth - place.tolerance;
   return radius > leastRadius;
 }
 

@@ -61,6 +61,7 @@ struct StippleEdgeTest::Verdict
 {
   bool isSeen;
   StippleDisc disc;       // where it is fully grown
+  float nearest;          // as of the drawn stipple
   double edgeOfThreshold; // shortest edge over the threshold
 };
 
@@ -147,6 +148,7 @@ StippleEdgeTest::Verdict StippleEdgeTest::judge(const StippleEdges& edges,
   const float visible = this->visibleShare(place);
   return { visible > 0.0f,
     { static_cast<float>(own.x), static_cast<float>(own.y), static_cast<float>(radius) * visible },
+    place.depth - place.tolerance,
     std::isfinite(wanted.threshold) ? shortest / wanted.threshold : 0.0 };
 }
 
@@ -171,7 +173,7 @@ void StippleEdgeTest::drawAll(const StippleEdges& edges, const StippleThresholds
         disc.radius *= size(rank, verdict);
         if (verdict.isSeen && disc.radius > leastRadius)
         {
-          part.push_back({ disc, -1, static_cast<std::int32_t>(rank) });
+          part.push_back({ disc, -1, static_cast<std::int32_t>(rank), verdict.nearest });
         }
       }
     });

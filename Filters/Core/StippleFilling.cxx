@@ -27,36 +27,64 @@ namespace hachure
 namespace
 {
 
-// Points that fill an area up to a radius, for every radius squared (measured, in the hierarchy of
-// a sphere: .47 to .49).
-constexpr double pointsPerSquare = 0.48;
+// Points that fill an area up to a radius at the end of an octave, for every radius squared
+// (measured). With the candidates of the next octave gaps are found that are a little wider still,
+// so that at its beginning there are more by this share, which goes down to 0 at its end.
+constexpr double pointsPerSquare = 0.473;
+constexpr double moreAtBeginning = 0.042;
+constexpr double widestLeft = 0.06; // how much wider, as a share of the radius; about the most
 constexpr double octaveRatio = 0.70710678118654752; // of radii: twice the density
 constexpr int octavesOfLevel = 2;
 // Of the radius at the beginning of an octave:
 constexpr double reachRatio = 1.6;  // how far points matter
-constexpr double marginRatio = 3.0; // how far around the cube is filled for a time
+constexpr double marginRatio = 1.5; // how far around the cube is filled for a time
 constexpr double candidatesPerPoint = 24.0;
+
+// Density at which a point with some room comes in, from shares of those at the beginning of the
+// octave: such that at every density there are as many. Those left over from the octave before come
+// in one after the other, too.
+double densityShareFor(double roomShare)
+{
+  if (roomShare >= 1.0)
+  {
+    return 1.0 + moreAtBeginning * std::max(0.0, 1.0 - (roomShare - 1.0) / widestLeft);
+  }
+  const double progress = std::clamp(-2.0 * std::log2(roomShare), 0.0, 1.0);
+  return (1.0 + moreAtBeginning * (1.0 - progress)) / (roomShare * roomShare);
+}
+
+// The other way round, 1 for those left over.
+double roomShareFor(double share)
+{
+  double room = std::sqrt(1.0 / share);
+  for (int i = 0; i < 3; ++i)
+  {
+    const double progress = std::clamp(-2.0 * std::log2(room), 0.0, 1.0);
+    room = std::sqrt((1.0 + moreAtBeginning * (1.0 - progress)) / share);
+  }
+  return std::min(1.0, room);
+}
 
 // One octave of a filling.
 class Octave
 {
 public:
   Octave(const StippleFilling& aFilling, const StippleTriangles& someTriangles,
-    const StippleLevels& levels, int aNumber)
+    const StippleLevels& levels, int someNumber)
     : filling(aFilling)
     , triangles(someTriangles)
-    , number(aNumber)
+    , number(someNumber)
   {
     const StippleCube& cube = aFilling.cube;
-    this->begin = StippleFilling::roomFor(levels.leastDensity(cube.level)) / cube.side() *
-      std::pow(octaveRatio, aNumber);
+    this->sidesPerLength = 1.0 / cube.side();
+    this->beginDensity = std::ldexp(levels.leastDensity(cube.level), someNumber);
+    this->begin = StippleFilling::gapFor(this->beginDensity) / cube.side();
     this->end = this->begin * octaveRatio;
     this->reach = reachRatio * this->begin;
     this->margin = std::clamp(marginRatio * this->begin, 0.0, std::max(0.0, 1.0 - this->reach));
     this->middle = cube.low() + 0.5 * cube.side();
     // Parts of area for a density at the end of the octave.
-    this->partArea =
-      std::ldexp(1.0 / (candidatesPerPoint * levels.leastDensity(cube.level)), -1 - aNumber);
+    this->partArea = 1.0 / (candidatesPerPoint * 2.0 * this->beginDensity);
   }
 
   // Points that come in, with their rooms; known has those that are there and those that come in
@@ -65,16 +93,17 @@ public:
     std::vector<StippleFilling::Given>& known, std::vector<StippleFilling::Point>& kept) const
   {
     StippleCrowd crowd(static_cast<float>(1.0 + 2.0 * (this->margin + this->reach)),
-      static_cast<float>(this->reach));
-    crowd.begin(
-      this->candidates(), this->pointsOf(known), this->borders(), this->crowdingFor(this->end));
+      static_cast<float>(this->reach), this->crowdingFor(this->end));
+    crowd.setAround(this->pointsOf(known), this->borders());
+    this->offerCandidates(crowd);
+    crowd.begin();
     const std::vector<StippleFilling::Given> coming = this->comingOf(known);
     std::size_t next = 0;
     const auto begins = static_cast<float>(this->begin);
     while (const StippleCrowd::Candidate* const least = crowd.least())
     {
-      const float room =
-        std::min(begins, stippleRoom(least->crowding, static_cast<float>(this->reach)));
+      const float found = stippleRoom(least->crowding, static_cast<float>(this->reach));
+      const float room = std::min(begins, found);
       if (next < coming.size() && coming[next].room >= room)
       {
         crowd.crowdBy({ coming[next].place, coming[next].normal, coming[next].room });
@@ -85,8 +114,8 @@ public:
       known.push_back({ placed.place, placed.normal, room });
       if (placed.isKept)
       {
-        kept.push_back({ placed.origin,
-          StippleFilling::densityFor(static_cast<double>(room) * this->filling.cube.side()) });
+        kept.push_back({ StipplePlace(placed.triangle, placed.weights.x, placed.weights.y),
+          this->beginDensity * densityShareFor(static_cast<double>(found) / this->begin) });
       }
       crowd.crowdBy({ placed.place, placed.normal });
     }
@@ -101,35 +130,33 @@ private:
 
   glm::vec3 inSides(const glm::dvec3& place) const
   {
-    return glm::vec3((place - this->middle) / this->filling.cube.side());
+    return glm::vec3((place - this->middle) * this->sidesPerLength);
   }
 
-  std::vector<StippleCrowd::Candidate> candidates() const
+  void offerCandidates(StippleCrowd& crowd) const
   {
     const StippleCube& cube = this->filling.cube;
     const double half = (0.5 + this->margin) * cube.side();
     const glm::dvec3 low = this->middle - half;
     const glm::dvec3 high = this->middle + half;
-    const std::uint64_t seed = hashPair(
-      this->filling.seed, static_cast<std::uint64_t>(octavesOfLevel * cube.level + this->number));
+    const int octave = octavesOfLevel * cube.level + this->number;
+    const std::uint64_t seed = hashPair(this->filling.seed, static_cast<std::uint64_t>(octave));
     const StippleParts parts(this->triangles, this->partArea, seed);
     std::vector<StippleParts::Place> places;
     for (const std::int32_t triangle : this->triangles.find(low, high))
     {
+      places.clear();
       parts.add(triangle, low, high, places);
-    }
-    std::vector<StippleCrowd::Candidate> result;
-    result.reserve(places.size());
-    for (const StippleParts::Place& place : places)
-    {
-      const glm::ivec3 offset = StippleCube::around(place.place, cube.level).cell - cube.cell + 1;
-      if ((this->filling.filled >> (offset.x + 3 * offset.y + 9 * offset.z) & 1u) == 0)
+      for (const StippleParts::Place& place : places)
       {
-        result.push_back({ this->inSides(place.place), place.normal, 0.0f, place.origin,
-          offset == glm::ivec3(1) });
+        const glm::ivec3 offset = StippleCube::around(place.place, cube.level).cell - cube.cell + 1;
+        if ((this->filling.filled >> (offset.x + 3 * offset.y + 9 * offset.z) & 1u) == 0)
+        {
+          crowd.offer({ this->inSides(place.place), place.normal, 0.0f, offset == glm::ivec3(1),
+            place.triangle, place.weights });
+        }
       }
     }
-    return result;
   }
 
   // Those that come in within this octave or later matter only to places nearer than their rooms.
@@ -189,6 +216,7 @@ private:
   const StippleFilling& filling;
   const StippleTriangles& triangles;
   int number;
+  double sidesPerLength, beginDensity;
   double begin, end, reach, margin; // in sides of the cube
   glm::dvec3 middle;                // scaled, as the area
   double partArea;
@@ -196,20 +224,21 @@ private:
 
 } // namespace
 
-double StippleFilling::roomFor(double density)
+double StippleFilling::gapFor(double density)
 {
   return std::sqrt(pointsPerSquare / density);
 }
 
-double StippleFilling::densityFor(double room)
+double StippleFilling::roomFor(double density, double least)
 {
-  return pointsPerSquare / (room * room);
+  const double begin = density > 2.0 * least ? 2.0 * least : least;
+  return gapFor(begin) * roomShareFor(density / begin);
 }
 
 double StippleFilling::reachAround(const StippleLevels& levels, std::int32_t level)
 {
-  const double room = roomFor(levels.leastDensity(level)) * std::ldexp(1.0, level);
-  return std::min(1.0, (reachRatio + marginRatio) * room);
+  const double gap = gapFor(levels.leastDensity(level)) * std::ldexp(1.0, level);
+  return std::min(1.0, (reachRatio + marginRatio) * gap);
 }
 
 std::vector<StippleFilling::Point> StippleFilling::fill(

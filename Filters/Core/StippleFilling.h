@@ -44,9 +44,10 @@ struct StippleFilling
   // for a time only, as far as it matters.
   std::vector<Point> fill(const StippleTriangles& triangles, const StippleLevels& levels) const;
 
-  // Room of a point when there are so many, and the other way round; both scaled.
-  static double roomFor(double density);
-  static double densityFor(double room);
+  // Radius of the widest gaps between so many points; scaled, as the following.
+  static double gapFor(double density);
+  // Room of a point that comes in at the density, at a level that begins at the least one.
+  static double roomFor(double density, double least);
 };
 
 } // namespace hachure

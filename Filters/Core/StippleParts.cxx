@@ -73,16 +73,16 @@ Range thirdWithin(const StipplePolygon& polygon, double low, double high)
 class StippleParts::Walk
 {
 public:
-  Walk(const StippleParts& someParts, std::int32_t aNumber, const glm::dvec3& aLow,
-    const glm::dvec3& aHigh, std::vector<Place>& somePlaces)
+  Walk(const StippleParts& someParts, std::int32_t someNumber, const glm::dvec3& boxLow,
+    const glm::dvec3& boxHigh, std::vector<Place>& somePlaces)
     : parts(someParts)
-    , number(aNumber)
-    , low(aLow)
-    , high(aHigh)
+    , number(someNumber)
+    , low(boxLow)
+    , high(boxHigh)
     , places(somePlaces)
   {
     const StippleSurface& surface = someParts.triangles.surface();
-    this->triangle = surface.triangles[static_cast<std::size_t>(aNumber)];
+    this->triangle = surface.triangles[static_cast<std::size_t>(someNumber)];
     this->corners = surface.corners(this->triangle);
     this->second = this->corners[1] - this->corners[0];
     this->third = this->corners[2] - this->corners[0];
@@ -186,7 +186,7 @@ private:
       glm::all(glm::lessThan(place, this->high)))
     {
       this->places.push_back(
-        { place, this->normal, StipplePlace(this->triangle, secondWeight, thirdWeight) });
+        { place, this->normal, this->triangle, { secondWeight, thirdWeight } });
     }
   }
 

@@ -3,9 +3,9 @@
 #ifndef hachure_StippleParts_h
 #define hachure_StippleParts_h
 
-#include "StippleNode.h"
 #include "StippleTriangles.h"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -23,7 +23,8 @@ public:
   {
     glm::dvec3 place;
     glm::vec3 normal;
-    StipplePlace origin;
+    std::int32_t triangle;
+    glm::dvec2 weights; // barycentric, of the second and third corner
   };
 
   StippleParts(const StippleTriangles& someTriangles, double anArea, std::uint64_t someSeed)

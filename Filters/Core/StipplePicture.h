@@ -51,6 +51,7 @@ struct DrawnStipple
   StippleDisc disc;       // pixels from the rectangle's corner
   std::int32_t node = -1; // of the tree; -1: of no tree
   std::int32_t index = 0; // of the node's points; of no tree, the rank
+  float nearest = 0.0f;   // window depth: what is seen before it hides the stipple
 };
 
 // A scene, and where stipples are in it.

@@ -129,8 +129,8 @@ void widenOwn(
 Ratios fillLanes(
   StippleNode& node, const StippleShape& shape, const std::vector<glm::dvec3>& places)
 {
-  node.lanes.assign(
-    static_cast<std::size_t>((laneCount - 1) * node.paddedCount() + node.paddedCount() / 8), 0.0f);
+  const auto padded = static_cast<std::size_t>(node.paddedCount());
+  node.lanes.assign((laneCount - 1) * padded + padded / 8, 0.0f);
   Ratios ratios;
   float* lanes[laneCount];
   for (int lane = 0; lane < laneCount; ++lane)

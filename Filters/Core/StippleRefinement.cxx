@@ -102,49 +102,23 @@ void StippleRefinement::need(
   }
 }
 
-bool StippleRefinement::refine(Work& work, const std::vector<Target>& targets)
+bool StippleRefinement::refine(Work& work, const std::vector<std::int32_t>& parents)
 {
-  std::vector<std::pair<StippleCube, std::int32_t>> front; // and the last level
-  std::int32_t last = 0;
-  for (const Target& target : targets)
+  std::map<std::int32_t, Codes> needed; // by level
+  for (const std::int32_t parent : parents)
   {
-    front.emplace_back(StippleCube::fromCode(work.nodes[at(target.node)].code), target.level);
-    last = std::max(last, target.level);
-  }
-  for (std::int32_t level = 1; level <= last; ++level)
-  {
-    std::vector<std::pair<StippleCube, std::int32_t>> next;
-    std::map<std::int32_t, Codes> needed;
-    for (const auto& [cube, lastLevel] : front)
+    const StippleCube cube = StippleCube::fromCode(work.nodes[at(parent)].code);
+    for (int i = 0; i < 8; ++i)
     {
-      if (cube.level + 1 != level || level > lastLevel)
+      if (this->meetsSurface(cube.child(i), work.levels))
       {
-        if (cube.level + 1 > level)
-        {
-          next.emplace_back(cube, lastLevel);
-        }
-        continue;
-      }
-      for (int i = 0; i < 8; ++i)
-      {
-        const StippleCube child = cube.child(i);
-        if (this->meetsSurface(child, work.levels))
-        {
-          next.emplace_back(child, lastLevel);
-          this->need(child, work.levels, needed);
-        }
+        this->need(cube.child(i), work.levels, needed);
       }
     }
-    for (const auto& [neededLevel, codes] : needed)
-    {
-      if (!this->make(work, codes))
-      {
-        return false;
-      }
-    }
-    front = std::move(next);
   }
-  return true;
+  return std::all_of(needed.begin(), needed.end(),
+    [&](const std::pair<const std::int32_t, Codes>& level)
+    { return this->make(work, level.second); });
 }
 
 bool StippleRefinement::make(Work& work, const Codes& level)
@@ -165,7 +139,8 @@ bool StippleRefinement::make(Work& work, const Codes& level)
 
 bool StippleRefinement::makeColour(Work& work, const std::vector<std::uint64_t>& codes)
 {
-  constexpr std::size_t batch = 32; // nodes made without a look at the room that is left
+  constexpr std::size_t perNode = 128; // in the tables of cubes
+  constexpr std::size_t batch = 32;    // nodes made without a look at the room that is left
   for (std::size_t first = 0; first < codes.size(); first += batch)
   {
     if (work.progress &&
@@ -178,7 +153,7 @@ bool StippleRefinement::makeColour(Work& work, const std::vector<std::uint64_t>&
       [&](std::int64_t i, std::int64_t) { made[at(i)] = this->fill(work, codes[first + at(i)]); });
     for (StippleNode& node : made)
     {
-      const std::size_t bytes = node.memory();
+      const std::size_t bytes = node.memory() + perNode;
       if (bytes > work.room)
       {
         return false;
@@ -259,6 +234,7 @@ void StippleRefinement::gatherFrom(
   const glm::dvec3 middle = cube.low() + 0.5 * side;
   const double farthest = 0.5 * side + reach;
   const double area = work.levels.frame.size * work.levels.frame.size;
+  const double least = work.levels.leastDensity(cube.level);
   for (std::size_t i = 0; i < node.places.size(); ++i)
   {
     const StipplePlace& place = node.places[i];
@@ -268,8 +244,9 @@ void StippleRefinement::gatherFrom(
       const double density = area * static_cast<double>(node.referenceDensities[i]);
       filling.given.push_back(
         { glm::vec3(offset / side), work.shape.referenceNormal(place.triangle),
-          from.level < cube.level ? std::numeric_limits<float>::infinity()
-                                  : static_cast<float>(StippleFilling::roomFor(density) / side) });
+          from.level < cube.level
+            ? std::numeric_limits<float>::infinity()
+            : static_cast<float>(StippleFilling::roomFor(density, least) / side) });
     }
   }
 }

@@ -45,14 +45,8 @@ public:
 
   const StippleTriangles& surface() const { return this->triangles; }
   void enterBase(const std::vector<StippleNode>& nodes);
-  // Makes the children of the nodes' cubes at every level, down to the wanted ones. False if the
-  // room is not enough, or it was stopped.
-  struct Target
-  {
-    std::int32_t node;
-    std::int32_t level; // the last one wanted
-  };
-  bool refine(Work& work, const std::vector<Target>& targets);
+  // Makes the children of nodes that have none. False if the room is not enough, or it was stopped.
+  bool refine(Work& work, const std::vector<std::int32_t>& parents);
   void forget(std::size_t baseCount);
 
   std::size_t memory() const; // without the nodes

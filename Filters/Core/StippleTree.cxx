@@ -68,6 +68,22 @@ StippleFrame frameOf(const StippleShape& shape)
   return frame;
 }
 
+// With few points the root is larger than the mesh, so that cubes have as many points as usual.
+void widenFrame(StippleSurface& surface, std::size_t pointCount)
+{
+  double ratio = 1.0;
+  while (
+    static_cast<double>(pointCount) / surface.area() * ratio * ratio < 4.0 * leastPointsPerSquare)
+  {
+    ratio *= 2.0;
+  }
+  surface.frame.size *= ratio;
+  for (double& area : surface.areaBefore)
+  {
+    area /= ratio * ratio;
+  }
+}
+
 // Up to the spacing at which places are still right to a thousandth of it.
 std::int32_t lastLevelFor(const StippleSurface& surface, const StippleLevels& levels)
 {
@@ -83,7 +99,7 @@ std::int32_t lastLevelFor(const StippleSurface& surface, const StippleLevels& le
   const double leastRoom = 1000.0 * StipplePlace::weightUnit * longest;
   std::int32_t level = levels.firstRefined - 1;
   while (level < StippleCube::mostLevel &&
-    StippleFilling::roomFor(levels.leastDensity(level + 2)) > leastRoom)
+    StippleFilling::gapFor(levels.leastDensity(level + 2)) > leastRoom)
   {
     ++level;
   }
@@ -147,7 +163,7 @@ void StippleTree::build(const StippleHierarchy& base, const StippleTreeOptions& 
   setBounds(*this->levels, this->shape->referencePoints());
   if (hasEvenRanks(base, this->shape->hasMesh()))
   {
-    this->prepareRefinement(options.seed);
+    this->prepareRefinement(options.seed, base.points.size());
   }
   setDensities(*this->levels, base, this->shape->hasMesh());
   std::vector<std::uint64_t> cubes;
@@ -171,11 +187,12 @@ void StippleTree::build(const StippleHierarchy& base, const StippleTreeOptions& 
   goesOn(1.0);
 }
 
-void StippleTree::prepareRefinement(std::uint32_t seed)
+void StippleTree::prepareRefinement(std::uint32_t seed, std::size_t pointCount)
 {
   StippleSurface surface = makeStippleSurface(this->shape->referenceMesh());
   if (!surface.triangles.empty())
   {
+    widenFrame(surface, pointCount);
     this->levels->frame = surface.frame;
     this->refinement =
       std::make_unique<StippleRefinement>(StippleTriangles(std::move(surface)), seed);
@@ -206,39 +223,31 @@ void StippleTree::setPositions(Span<const glm::dvec3> points, Span<const glm::dv
   placeAllPoints(this->allNodes, *this->shape, *this->levels);
 }
 
-std::int32_t StippleTree::levelFor(const StippleRequest& request) const
-{
-  const StippleNode& from = this->node(request.node);
-  std::int32_t level = from.level;
-  // Ratios of densities, now and on the reference, are about as in the node.
-  for (double held = from.heldDensity; held < request.density && level <= this->levels->lastLevel;
-       held *= 4.0)
-  {
-    ++level;
-  }
-  return level;
-}
-
 bool StippleTree::refine(Span<const StippleRequest> requests, const ProgressFn& progress)
 {
   checkRequests(requests, this->allNodes.size());
-  if (!this->refinement)
-  {
-    return requests.empty();
-  }
   bool isFineEnough = true;
-  std::vector<StippleRefinement::Target> targets;
-  targets.reserve(requests.size());
+  std::vector<std::int32_t> wanted;
+  wanted.reserve(requests.size());
   for (const StippleRequest& request : requests)
   {
-    const std::int32_t level = this->levelFor(request);
-    isFineEnough = isFineEnough && level <= this->levels->lastLevel;
-    targets.push_back({ request.node, std::min(level, this->levels->lastLevel) });
+    const StippleNode& from = this->node(request.node);
+    const bool isMissing = from.childCount == 0 && request.density > from.heldDensity;
+    const bool isFinest = from.childCount == 0 && from.level >= this->levels->lastLevel;
+    isFineEnough = isFineEnough && !isFinest;
+    if (isMissing)
+    {
+      wanted.push_back(request.node);
+    }
+  }
+  if (!this->refinement || wanted.empty())
+  {
+    return isFineEnough;
   }
   const std::size_t held = this->memory();
   StippleRefinement::Work work{ this->allNodes, *this->shape, *this->levels,
     this->budget > held ? this->budget - held : 0, progress };
-  return this->refinement->refine(work, targets) && isFineEnough;
+  return this->refinement->refine(work, wanted) && isFineEnough;
 }
 
 void StippleTree::dropRefinements()

@@ -79,10 +79,12 @@ public:
   std::uint64_t identity(std::int32_t node, std::int32_t point) const;
 
   bool canRefine() const { return this->refinement != nullptr; }
-  // Makes all points in the cubes of the nodes up to the wanted densities. False if the budget was
-  // spent, the finest level (spacings of 1e-6 of the mesh's size or so) reached or the progress
-  // function stopped it: then a node has either all of its children or none. Throws
-  // std::invalid_argument for a node that is none and a density that is NaN.
+  // Makes the children of all nodes that have none and whose heldDensity is below the wanted one. A
+  // request makes one level, because only what is in sight of it may need the next: walk again,
+  // until nothing is asked for. False if the budget was spent, a node is of the finest level
+  // (spacings of some 1e-6 of the mesh's size) or the progress function stopped it: then a node has
+  // either all of its children or none. Throws std::invalid_argument for a node that is none and a
+  // density that is NaN.
   bool refine(Span<const StippleRequest> requests, const ProgressFn& progress = {});
   // Forgets all points of refinements, to make room for others; made again they are the same.
   void dropRefinements();
@@ -97,8 +99,7 @@ public:
 
 private:
   void build(const StippleHierarchy& base, const StippleTreeOptions& options);
-  void prepareRefinement(std::uint32_t seed);
-  std::int32_t levelFor(const StippleRequest& request) const;
+  void prepareRefinement(std::uint32_t seed, std::size_t pointCount);
 
   std::unique_ptr<StippleShape> shape;
   std::unique_ptr<StippleLevels> levels;

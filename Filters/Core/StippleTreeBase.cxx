@@ -17,8 +17,6 @@ namespace hachure
 namespace
 {
 
-// A node on a flat surface has three quarters of this to three times it of points.
-constexpr double leastPointsPerCube = 340.0;
 // Evenly spread points with the density 1 are as far apart as the root of this.
 constexpr double squareSpacing = 0.47;
 
@@ -63,10 +61,11 @@ StipplePlace placeOf(const StipplePoint& point)
 
 std::int32_t levelOf(const StippleLevels& levels, double scaledDensity)
 {
-  std::int32_t level = 0;
-  while (level + 1 < levels.firstRefined && scaledDensity > levels.leastDensity(level + 1))
+  std::int32_t level = levels.firstRefined - 1;
+  for (double least = levels.leastDensity(level); level > 0 && scaledDensity <= least;
+       least *= 0.25)
   {
-    ++level;
+    --level;
   }
   return level;
 }
@@ -98,7 +97,7 @@ std::vector<std::uint64_t> codesOf(
   {
     if (i == 0 || members[i].code != members[i - 1].code)
     {
-      codes.push_back(members[i].code); // NOLINT(performance-inefficient-vector-operation): few
+      codes.push_back(members[i].code);
     }
   }
   for (std::size_t i = 0; i < codes.size(); ++i) // grows by the parents of the last of a row
@@ -181,7 +180,7 @@ void setDensities(StippleLevels& levels, const StippleHierarchy& base, bool hasM
   }
   levels.firstRefined = 1;
   while (levels.firstRefined < StippleCube::mostLevel / 2 &&
-    std::ldexp(levels.baseDensity, -2 * (levels.firstRefined + 1)) >= leastPointsPerCube / 3.0)
+    std::ldexp(levels.baseDensity, -2 * (levels.firstRefined + 1)) >= leastPointsPerSquare)
   {
     ++levels.firstRefined;
   }

@@ -14,6 +14,10 @@
 namespace hachure
 {
 
+// Points that an area as large as a side of a cube has before its level begins; up to four times as
+// many. So a node of a flat surface has some 300 to 1200.
+constexpr double leastPointsPerSquare = 100.0;
+
 // Throws std::invalid_argument for points that are not on the shape, and more than there are ranks.
 void checkBase(const StippleHierarchy& base, const StippleShape& shape);
 

@@ -10,6 +10,7 @@
 
 #include "PatternTracker.h"
 #include "TimedOctave.h"
+#include "VectorPage.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -117,6 +118,15 @@ public:
   /// neither depth nor triangles. Until the next Update, the layer is drawn with the declarations
   /// of GetForwardDeclarations.
   virtual std::string DrawForwardField(const FieldScene&, int) { return {}; }
+
+  /// A mark that was drawn, in pixels of the framebuffer.
+  struct Disc
+  {
+    hachure::VectorDisc Shape;
+    float Depth; // window depth of what would hide it
+  };
+  /// Appends what DrawField has drawn, where that are discs.
+  virtual void CollectDiscs(std::vector<Disc>&) const {}
 
   /// Declarations with '@' for the layer's number; they define
   /// float hachureCoverage@(vec2 position, float tone). patches: where there are several patches.

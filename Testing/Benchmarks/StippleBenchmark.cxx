@@ -3,8 +3,11 @@
 
 /// hachure-stipple-benchmark: what it costs to rank stipples on a wavy surface, in both orders,
 /// with one thread and two: time by the clock and of the processors, and bytes held per stipple.
+/// Then for the tree of a tenth of them: to build it, to move the mesh, and to refine a part
+/// 64-fold.
 
 #include "Core/StippleHierarchy.h"
+#include "Core/StippleTree.h"
 
 #include <algorithm>
 #include <chrono>
@@ -71,6 +74,65 @@ void measure(const WavySurface& surface, StippleOrder order, std::int64_t count,
     hierarchy.points.size(), passed.count(), used, 1e9 * passed.count() / stipples,
     static_cast<double>(hierarchy.memory()) / stipples);
 }
+class Timer
+{
+public:
+  void print(const char* what, std::size_t stipples) const
+  {
+    const double used = static_cast<double>(std::clock() - this->before) / CLOCKS_PER_SEC;
+    const std::chrono::duration<double> passed = Clock::now() - this->start;
+    std::printf("{\"tree\": \"%s\", \"stipples\": %zu, \"seconds\": %.3f, \"cpu_seconds\": %.3f}\n",
+      what, stipples, passed.count(), used);
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start = Clock::now();
+  std::clock_t before = std::clock();
+};
+
+// Until all nodes that reach into the corner of the surface hold the density.
+void refineCorner(StippleTree& tree, double density)
+{
+  constexpr double side = 0.1;
+  std::vector<StippleRequest> requests;
+  do
+  {
+    requests.clear();
+    for (std::size_t i = 0; i < tree.nodes().size(); ++i)
+    {
+      const StippleNode& node = tree.nodes()[i];
+      if (node.childCount == 0 && node.heldDensity < density && node.bounds.low.x < side &&
+        node.bounds.low.y < side)
+      {
+        requests.push_back({ static_cast<std::int32_t>(i), density });
+      }
+    }
+  } while (!requests.empty() && tree.refine(requests));
+}
+
+void measureTree(const WavySurface& surface, std::int64_t count)
+{
+  const TriangleMesh mesh{ surface.points, surface.triangles, {} };
+  StippleOptions options;
+  options.count = count;
+  const StippleHierarchy base = stippleSurface(mesh, options);
+  const Timer building;
+  StippleTree tree(mesh, base);
+  building.print("build", base.points.size());
+  const std::size_t nodes = tree.nodes().size();
+  const Timer refining;
+  refineCorner(tree, 64.0 * static_cast<double>(base.points.size()) / base.area);
+  std::size_t made = 0;
+  for (std::size_t i = nodes; i < tree.nodes().size(); ++i)
+  {
+    made += static_cast<std::size_t>(tree.nodes()[i].count);
+  }
+  refining.print("refine", made);
+  const Timer moving;
+  tree.setPositions(surface.points);
+  moving.print("move", base.points.size() + made);
+}
 } // namespace
 
 int main(int argumentCount, char** arguments)
@@ -88,5 +150,6 @@ int main(int argumentCount, char** arguments)
     measure(surface, StippleOrder::Progressive, stipples, threads);
     measure(surface, StippleOrder::Classic, stipples, threads);
   }
+  measureTree(surface, std::max(1l, stipples / 10));
   return 0;
 }

@@ -3,7 +3,6 @@
 #ifndef hachure_StippleScene_h
 #define hachure_StippleScene_h
 
-#include "Random.h"
 #include "StippleHierarchy.h"
 #include "TestSurfaces.h"
 
@@ -44,31 +43,6 @@ inline Surface unitSphere(int n)
     point = glm::normalize(glm::round(point * static_cast<double>(n))); // equal at the seams
   }
   return sphere;
-}
-
-// Six corners and a point inside; irregular with a seed.
-inline Surface hexagon(std::uint32_t seed)
-{
-  Surface surface;
-  const auto random = [seed](std::uint64_t id, std::uint32_t dimension)
-  { return seed > 0 ? 0.5 * (unitRandom(seed, id, dimension) - 0.5) : 0.0; };
-  for (int i = 0; i < 6; ++i)
-  {
-    const double angle = i * std::acos(0.5) + random(static_cast<std::uint64_t>(i), 2);
-    surface.points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
-    surface.triangles.emplace_back(i, (i + 1) % 6, 6);
-  }
-  surface.points.emplace_back(random(9, 0), random(9, 1), 0.0);
-  return surface;
-}
-
-inline StippleOptions classic(std::int64_t count, std::uint32_t seed = 1)
-{
-  StippleOptions options;
-  options.order = StippleOrder::Classic;
-  options.count = count;
-  options.seed = seed;
-  return options;
 }
 
 inline glm::dvec3 normalOf(const Surface& surface, const StipplePoint& point)

@@ -4,6 +4,7 @@
 // The operators of the paper. Its figure 6 is a flat mesh of 7 vertices: here a hexagon.
 
 #include "CallTests.h"
+#include "Random.h"
 #include "StippleScene.h"
 
 #include "PatternMetricsStipples.h"
@@ -21,6 +22,31 @@ using namespace hachure;
 
 namespace
 {
+
+// Six corners and a point inside; irregular with a seed.
+Surface hexagon(std::uint32_t seed)
+{
+  Surface surface;
+  const auto random = [seed](std::uint64_t id, std::uint32_t dimension)
+  { return seed > 0 ? 0.5 * (unitRandom(seed, id, dimension) - 0.5) : 0.0; };
+  for (int i = 0; i < 6; ++i)
+  {
+    const double angle = i * std::acos(0.5) + random(static_cast<std::uint64_t>(i), 2);
+    surface.points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    surface.triangles.emplace_back(i, (i + 1) % 6, 6);
+  }
+  surface.points.emplace_back(random(9, 0), random(9, 1), 0.0);
+  return surface;
+}
+
+StippleOptions classic(std::int64_t count, std::uint32_t seed = 1)
+{
+  StippleOptions options;
+  options.order = StippleOrder::Classic;
+  options.count = count;
+  options.seed = seed;
+  return options;
+}
 
 // About 570 points in the middle of the hexagon, mean of ten seeds.
 StippleMetrics figureSix(bool isRandomised)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "CallTests.h"
+#include "Random.h"
 #include "StippleScene.h"
 
 #include "StippleCanvas.h"
@@ -52,6 +53,31 @@ Surface planeOf(int grid, double jitter, std::uint32_t seed)
     point.y += most * (unitRandom(seed, i, 1) - 0.5);
   }
   return plane;
+}
+
+// Six corners and a point inside; irregular with a seed.
+Surface hexagon(std::uint32_t seed)
+{
+  Surface surface;
+  const auto random = [seed](std::uint64_t id, std::uint32_t dimension)
+  { return seed > 0 ? 0.5 * (unitRandom(seed, id, dimension) - 0.5) : 0.0; };
+  for (int i = 0; i < 6; ++i)
+  {
+    const double angle = i * std::acos(0.5) + random(static_cast<std::uint64_t>(i), 2);
+    surface.points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    surface.triangles.emplace_back(i, (i + 1) % 6, 6);
+  }
+  surface.points.emplace_back(random(9, 0), random(9, 1), 0.0);
+  return surface;
+}
+
+StippleOptions classic(std::int64_t count, std::uint32_t seed = 1)
+{
+  StippleOptions options;
+  options.order = StippleOrder::Classic;
+  options.count = count;
+  options.seed = seed;
+  return options;
 }
 
 StippleEdges edgesOf(const Surface& surface, std::int64_t count, std::uint32_t seed = 1)

@@ -192,6 +192,25 @@ void vtkStippleLayerPainter::Upload(const std::array<int, 4>& rectangle)
   this->Rectangle = rectangle;
 }
 
+// In the layer's own colour, whatever the surface's is.
+void vtkStippleLayerPainter::CollectDiscs(std::vector<Disc>& discs) const
+{
+  const double* const color = this->Layer->GetColor();
+  Disc disc;
+  disc.Shape.color = glm::vec3(
+    static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2]));
+  disc.Shape.opacity = static_cast<float>(this->Layer->GetOpacity());
+  discs.reserve(discs.size() + this->Drawn.size());
+  for (const hachure::DrawnStipple& stipple : this->Drawn)
+  {
+    disc.Shape.center = { this->Rectangle[0] + static_cast<double>(stipple.disc.x),
+      this->Rectangle[1] + static_cast<double>(stipple.disc.y) };
+    disc.Shape.radius = static_cast<double>(stipple.disc.radius);
+    disc.Depth = stipple.nearest;
+    discs.push_back(disc);
+  }
+}
+
 void vtkStippleLayerPainter::SetUniforms(vtkShaderProgram* program, const std::string& number,
   const hachure::PatternFrame&, const hachure::TimedOctave*, const TablePart&)
 {

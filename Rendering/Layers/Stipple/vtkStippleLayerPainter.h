@@ -29,6 +29,7 @@ public:
   bool NeedsField() const override { return true; }
   std::string DrawField(const FieldScene& scene, int channel) override;
   std::string DrawForwardField(const FieldScene& scene, int channel) override;
+  void CollectDiscs(std::vector<Disc>& discs) const override;
   void SetUniforms(vtkShaderProgram* program, const std::string& number,
     const hachure::PatternFrame& frame, const hachure::TimedOctave* octave,
     const TablePart& rows) override;

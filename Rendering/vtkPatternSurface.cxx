@@ -88,6 +88,15 @@ std::vector<glm::dvec3> FiniteOf(std::vector<glm::dvec3> points)
     [](const glm::dvec3& p) { return !std::isfinite(p.x + p.y + p.z); }, glm::dvec3(0.0));
   return points;
 }
+
+hachure::StippleOptions OptionsOf(const vtkPatternSurface::StippleKey& key)
+{
+  hachure::StippleOptions options;
+  options.order = key.Order;
+  options.seed = key.Seed;
+  options.count = key.Count;
+  return options;
+}
 } // namespace
 
 bool vtkPatternSurface::State::Follows(const State& before) const
@@ -190,6 +199,10 @@ void vtkPatternSurface::Move()
   {
     stipples.second.setPositions(this->Current->Positions);
   }
+  for (auto& stipples : this->Current->ClassicStipples)
+  {
+    stipples.second.setPositions(this->Current->Positions);
+  }
 }
 
 const std::vector<std::int32_t>& vtkPatternSurface::Facets()
@@ -275,7 +288,7 @@ std::shared_ptr<hachure::NoiseSurface> vtkPatternSurface::Points(std::uint32_t s
   return { this->Current, &found->second };
 }
 
-hachure::StippleTree vtkPatternSurface::MakeStipples(const StippleKey& key)
+std::vector<glm::ivec3> vtkPatternSurface::OutwardTriangles() const
 {
   const hachure::SurfaceTriangles& surface = this->Current->Surface;
   std::vector<glm::ivec3> triangles = surface.triangles;
@@ -294,12 +307,15 @@ hachure::StippleTree vtkPatternSurface::MakeStipples(const StippleKey& key)
       }
     }
   }
-  const std::vector<glm::dvec3> first = FiniteOf(surface.points);
+  return triangles;
+}
+
+hachure::StippleTree vtkPatternSurface::MakeStipples(const StippleKey& key)
+{
+  const std::vector<glm::ivec3> triangles = this->OutwardTriangles();
+  const std::vector<glm::dvec3> first = FiniteOf(this->Current->Surface.points);
   const hachure::TriangleMesh mesh = { first, triangles, {} };
-  hachure::StippleOptions options;
-  options.order = key.Order;
-  options.seed = key.Seed;
-  options.count = key.Count;
+  const hachure::StippleOptions options = OptionsOf(key);
   hachure::StippleTreeOptions treeOptions;
   treeOptions.seed = key.Seed;
   return hachure::StippleTree(mesh, hachure::stippleSurface(mesh, options), treeOptions);
@@ -313,6 +329,22 @@ std::shared_ptr<hachure::StippleTree> vtkPatternSurface::Stipples(const StippleK
   {
     found = state.Stipples.emplace(key, this->MakeStipples(key)).first;
     found->second.setPositions(state.Positions);
+  }
+  return { this->Current, &found->second };
+}
+
+std::shared_ptr<hachure::StippleEdges> vtkPatternSurface::ClassicStipples(const StippleKey& key)
+{
+  State& state = *this->Current;
+  auto found = state.ClassicStipples.find(key);
+  if (found == state.ClassicStipples.end())
+  {
+    const std::vector<glm::ivec3> triangles = this->OutwardTriangles();
+    const std::vector<glm::dvec3> first = FiniteOf(state.Surface.points);
+    const hachure::TriangleMesh mesh = { first, triangles, {} };
+    hachure::StippleEdges edges(mesh, hachure::stippleSurface(mesh, OptionsOf(key)));
+    edges.setPositions(state.Positions);
+    found = state.ClassicStipples.emplace(key, std::move(edges)).first;
   }
   return { this->Current, &found->second };
 }

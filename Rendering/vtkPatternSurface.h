@@ -9,6 +9,7 @@
 #define vtkPatternSurface_h
 
 #include "NoiseSurface.h"
+#include "StippleEdges.h"
 #include "StippleTree.h"
 #include "SurfaceTriangles.h"
 #include "vtkPatternGeometry.h"
@@ -66,6 +67,7 @@ public:
     std::vector<double> Areas; // with ids: those of the first surface that had such a triangle
     std::map<std::uint32_t, hachure::NoiseSurface> Seeds;
     std::map<StippleKey, hachure::StippleTree> Stipples;
+    std::map<StippleKey, hachure::StippleEdges> ClassicStipples;
     unsigned long Lineage = 0; // the same for surfaces that come from one another
     double DataTime = std::numeric_limits<double>::quiet_NaN();
     double AnimationTime = 0.0;
@@ -81,6 +83,8 @@ public:
   /// Stipples, where the surface is now; their normals point outward where it is closed. Owns the
   /// state.
   std::shared_ptr<hachure::StippleTree> Stipples(const StippleKey& key);
+  /// The same of those in the order Classic, with the edges to their relevant neighbours.
+  std::shared_ptr<hachure::StippleEdges> ClassicStipples(const StippleKey& key);
 
   hachure::TriangleMesh Mesh() const
   {
@@ -108,6 +112,7 @@ public:
 private:
   void Replace(vtkDataObject* input, const Source& source);
   void Identify(vtkDataObject* input);
+  std::vector<glm::ivec3> OutwardTriangles() const;
   hachure::StippleTree MakeStipples(const StippleKey& key);
   void Move();
 

@@ -107,6 +107,33 @@ def test_every_parameter_of_noise_survives():
     assert not same, "the test left the defaults of " + str(same)
 
 
+def test_every_parameter_of_stipples_survives():
+    style, layer = new_style(), hachure.vtkStippleLayer()
+    layer.SetColor(1.0 / 3.0, 0.7, 1.0)
+    layer.SetColorSource(layer.SURFACE)
+    layer.SetOpacity(0.35)
+    layer.SetBlendMode(layer.OVERLAY)
+    layer.SetSeed(4294967295)
+    layer.EnabledOff()
+    layer.SetSize(0.6)
+    layer.SetSizeUnit(layer.MILLIMETRES)
+    layer.SetCarrier(layer.SIZE)
+    layer.SetGrowth(1.0 / 3.0)
+    layer.SetGrowthFrames(17)
+    layer.SetOrder(layer.CLASSIC)
+    layer.SetNumberOfPoints(12345)
+    layer.RefinementOff()
+    layer.SetMemoryBudget(77)
+    style.AddLayer(layer)
+    copy = new_style()
+    assert copy.FromJson(style.ToJson()), errors
+    assert '"growthFrames": 17' in " ".join(style.ToJson().split()).replace('" :', '":')
+    mine, default = values(layer), values(hachure.vtkStippleLayer())
+    assert mine == values(copy.GetLayer(0)), (mine, values(copy.GetLayer(0)))
+    same = [n for n in mine if mine[n] == default[n]]
+    assert not same, "the test left the defaults of " + str(same)
+
+
 def test_wrong_factors_of_noise():
     style = new_style()
     text = '{"hachure": 1, "layers": [{"type": "noise", "field": {"%s": [1, 100]}}]}'

@@ -4,9 +4,11 @@
 
 #include "Kernels.h"
 #include "Parallel.h"
+#include "StippleEdgeTest.h"
 #include "StippleLayer.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternShaderText.h"
+#include "vtkPatternStippleHistory.h"
 #include "vtkPatternSurface.h"
 #include "vtkPatternToneCurve.h"
 #include "vtkShaderProgram.h"
@@ -103,14 +105,42 @@ void vtkStippleLayerPainter::Separate(const FieldScene& scene)
     });
 }
 
+void vtkStippleLayerPainter::FindStipples(
+  const FieldScene& scene, const hachure::StippleScene& seen, const hachure::StippleLook& look)
+{
+  const std::shared_ptr<hachure::StippleTree> tree =
+    scene.Surface->Stipples({ hachure::StippleOrder::Progressive, this->Layer->GetSeed(),
+      this->Layer->GetNumberOfPoints() });
+  const hachure::StippleDrawing drawing(seen, look);
+  const bool refines = this->Layer->GetRefinement();
+  const bool enough = hachure::drawStipples(*tree, drawing, refines, this->Drawn);
+  this->Note = enough || !refines ? std::string()
+                                  : "stipples take all of the memory budget of " +
+      std::to_string(this->Layer->GetMemoryBudget()) +
+      " MiB; where more would be needed they are drawn larger";
+}
+
+void vtkStippleLayerPainter::FindClassicStipples(
+  const FieldScene& scene, const hachure::StippleScene& seen, const hachure::StippleLook& look)
+{
+  const std::shared_ptr<hachure::StippleEdges> edges = scene.Surface->ClassicStipples(
+    { hachure::StippleOrder::Classic, this->Layer->GetSeed(), this->Layer->GetNumberOfPoints() });
+  const hachure::StippleEdgeTest test(seen, look);
+  this->Note.clear();
+  if (scene.StippleHistory && this->Layer->GetGrowthFrames() > 0)
+  {
+    scene.StippleHistory->Draw(
+      this->Layer, edges, test, { scene.Frame, scene.LookOn || scene.SecondEye }, this->Drawn);
+  }
+  else
+  {
+    test.draw(*edges, this->Drawn);
+  }
+}
+
 void vtkStippleLayerPainter::Draw(
   const FieldScene& scene, int channel, hachure::Span<const float> depth)
 {
-  const auto order = this->Layer->GetOrder() == vtkStippleLayer::CLASSIC
-    ? hachure::StippleOrder::Classic
-    : hachure::StippleOrder::Progressive;
-  const std::shared_ptr<hachure::StippleTree> tree =
-    scene.Surface->Stipples({ order, this->Layer->GetSeed(), this->Layer->GetNumberOfPoints() });
   hachure::StippleScene seen;
   seen.view.modelToClip = scene.ModelToClip;
   seen.view.viewportOrigin = { scene.Viewport[0], scene.Viewport[1] };
@@ -123,13 +153,14 @@ void vtkStippleLayerPainter::Draw(
   look.diameter = static_cast<float>(this->Diameter);
   look.growth = static_cast<float>(this->Layer->GetGrowth());
   look.toneBySize = this->Layer->GetCarrier() == vtkStippleLayer::SIZE;
-  const hachure::StippleDrawing drawing(seen, look);
-  const bool refines = this->Layer->GetRefinement();
-  const bool enough = hachure::drawStipples(*tree, drawing, refines, this->Drawn);
-  this->Note = enough || !refines ? std::string()
-                                  : "stipples take all of the memory budget of " +
-      std::to_string(this->Layer->GetMemoryBudget()) +
-      " MiB; where more would be needed they are drawn larger";
+  if (this->Layer->GetOrder() == vtkStippleLayer::CLASSIC)
+  {
+    this->FindClassicStipples(scene, seen, look);
+  }
+  else
+  {
+    this->FindStipples(scene, seen, look);
+  }
   this->Discs.clear();
   this->Discs.reserve(this->Drawn.size());
   for (const hachure::DrawnStipple& stipple : this->Drawn)

@@ -27,16 +27,17 @@ double shortestEdge(
   const StippleEdges& edges, const std::vector<glm::dvec3>& projections, std::size_t rank)
 {
   const glm::dvec3& own = projections[rank];
-  double shortest = endless;
+  double square = endless;
   for (const std::int32_t neighbour : edges.neighbours(rank))
   {
     const glm::dvec3& other = projections[static_cast<std::size_t>(neighbour)];
     if (other.z > 0.0)
     {
-      shortest = std::min(shortest, std::hypot(other.x - own.x, other.y - own.y));
+      const glm::dvec2 edge(other.x - own.x, other.y - own.y);
+      square = std::min(square, glm::dot(edge, edge));
     }
   }
-  return shortest;
+  return std::sqrt(square);
 }
 
 // Toward the end by a step, of which the end is a whole number away but for rounding.

@@ -150,9 +150,9 @@ double StippleThresholds::threshold(double density) const
   {
     return this->lengths.back();
   }
-  const double share = std::log(density / this->densities[next - 1]) /
-    std::log(this->densities[next] / this->densities[next - 1]);
-  return this->lengths[next - 1] * std::pow(this->lengths[next] / this->lengths[next - 1], share);
+  const double share = (density - this->densities[next - 1]) /
+    (this->densities[next] - this->densities[next - 1]);
+  return this->lengths[next - 1] + share * (this->lengths[next] - this->lengths[next - 1]);
 }
 
 } // namespace hachure

@@ -15,7 +15,7 @@ FRAMES = 8
 
 
 def classic_style(tone=0.5, **parameters):
-    return stipple_style(tone, **{"Order": 1, "NumberOfPoints": 20000, **parameters})
+    return stipple_style(tone, **{"Order": 1, "NumberOfPoints": 40000, **parameters})
 
 
 def set_tone(actor, tone):
@@ -56,7 +56,7 @@ def test_ink_equals_tone_on_a_sphere():
 
 
 def test_ink_equals_tone_where_stipples_run_out():
-    check_ink(scene.sphere(), (0.0, 0.0, 2.2), 0.03, NumberOfPoints=2000)
+    check_ink(scene.sphere(16), (0.0, 0.0, 2.2), 0.03, NumberOfPoints=2000)
 
 
 def test_the_size_carries_the_tone():

@@ -106,16 +106,13 @@ void attachPlaces(const StippleInput& input, const std::vector<StipplePoint>& fo
   bool isComposite, vtkPolyData* output)
 {
   const auto cells = makeArray<vtkIntArray>("StippleCell", found.size());
-  const auto pointIds = makeArray<vtkIntArray>("StipplePointIds", found.size(), 3);
   const auto weights = makeArray<vtkFloatArray>("StippleWeights", found.size(), 2);
   const auto spacings = makeArray<vtkFloatArray>("StippleSpacing", found.size());
   const auto blocks = makeArray<vtkUnsignedIntArray>("BlockIndex", isComposite ? found.size() : 0);
   for (std::size_t i = 0; i < found.size(); ++i)
   {
     const auto id = static_cast<vtkIdType>(i);
-    const glm::ivec3 corners = input.pointsOf(found[i]);
     cells->SetValue(id, static_cast<int>(input.cellOf(found[i])));
-    pointIds->SetTypedTuple(id, &corners.x);
     weights->SetTypedTuple(id, found[i].weights);
     spacings->SetValue(id, found[i].spacing);
     if (isComposite)
@@ -126,7 +123,6 @@ void attachPlaces(const StippleInput& input, const std::vector<StipplePoint>& fo
   }
   vtkPointData* data = output->GetPointData();
   data->AddArray(cells);
-  data->AddArray(pointIds);
   data->AddArray(weights);
   data->AddArray(spacings);
   if (isComposite)
@@ -135,10 +131,22 @@ void attachPlaces(const StippleInput& input, const std::vector<StipplePoint>& fo
   }
 }
 
-// The arrays of the input at the points.
-void interpolate(vtkPolyData* from, vtkPolyData* output)
+void attachPointIds(
+  const StippleInput& input, const std::vector<StipplePoint>& found, vtkPolyData* output)
 {
-  auto* pointIds = vtkIntArray::SafeDownCast(output->GetPointData()->GetArray("StipplePointIds"));
+  const auto pointIds = makeArray<vtkIntArray>("StipplePointIds", found.size(), 3);
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    const glm::ivec3 corners = input.pointsOf(found[i]);
+    pointIds->SetTypedTuple(static_cast<vtkIdType>(i), &corners.x);
+  }
+  output->GetPointData()->AddArray(pointIds);
+}
+
+// The arrays of the input at the points.
+void interpolate(const StippleInput& input, const std::vector<StipplePoint>& found,
+  vtkPolyData* from, vtkPolyData* output)
+{
   auto* weights = vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("StippleWeights"));
   auto* cells = vtkIntArray::SafeDownCast(output->GetPointData()->GetArray("StippleCell"));
   const vtkIdType count = output->GetNumberOfPoints();
@@ -150,9 +158,10 @@ void interpolate(vtkPolyData* from, vtkPolyData* output)
   corners->SetNumberOfIds(3);
   for (vtkIdType i = 0; i < count; ++i)
   {
+    const glm::ivec3 ids = input.pointsOf(found[static_cast<std::size_t>(i)]);
     for (int corner = 0; corner < 3; ++corner)
     {
-      corners->SetId(corner, pointIds->GetTypedComponent(i, corner));
+      corners->SetId(corner, ids[corner]);
     }
     const double second = weights->GetTypedComponent(i, 0);
     const double third = weights->GetTypedComponent(i, 1);
@@ -188,8 +197,6 @@ void addField(vtkPolyData* output, const char* name, const std::vector<Value>& v
 
 void attachParticles(const StippleHierarchy& found, vtkPolyData* output, vtkPolyData* particles)
 {
-  addField<vtkUnsignedIntArray>(output, "StippleNeighbourOffsets", found.firstNeighbour);
-  addField<vtkIntArray>(output, "StippleNeighbours", found.neighbours);
   particles->SetPoints(output->GetPoints());
   const int* corners =
     found.particleTriangles.empty() ? nullptr : &found.particleTriangles.front().x;
@@ -246,13 +253,22 @@ int vtkStippleHierarchy::RequestData(
     attachGeometry(input, found.points, output);
     attachPlaces(input, found.points, surface == nullptr, output);
     addField<vtkDoubleArray>(output, "StippleArea", std::vector<double>{ found.area });
+    if (this->GeneratePointIds || input.hasPointsOnly)
+    {
+      attachPointIds(input, found.points, output);
+    }
     if (this->InterpolateData && surface)
     {
-      interpolate(surface, output);
+      interpolate(input, found.points, surface, output);
     }
     if (options.order == hachure::StippleOrder::Classic)
     {
-      attachParticles(found, output, particles);
+      addField<vtkUnsignedIntArray>(output, "StippleNeighbourOffsets", found.firstNeighbour);
+      addField<vtkIntArray>(output, "StippleNeighbours", found.neighbours);
+      if (this->GenerateParticleMesh)
+      {
+        attachParticles(found, output, particles);
+      }
     }
   }
   catch (const std::invalid_argument& error)
@@ -274,4 +290,6 @@ void vtkStippleHierarchy::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LeastMove: " << this->LeastMove << "\n";
   os << indent << "MostMove: " << this->MostMove << "\n";
   os << indent << "InterpolateData: " << (this->InterpolateData ? "on" : "off") << "\n";
+  os << indent << "GeneratePointIds: " << (this->GeneratePointIds ? "on" : "off") << "\n";
+  os << indent << "GenerateParticleMesh: " << (this->GenerateParticleMesh ? "on" : "off") << "\n";
 }

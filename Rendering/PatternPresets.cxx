@@ -20,6 +20,8 @@
 #include "preset_phasor.h"
 #include "preset_spot.h"
 #include "preset_stipple.h"
+#include "preset_stipple_two_inks.h"
+#include "preset_stipple_white.h"
 #include "preset_watercolour.h"
 
 namespace hachure
@@ -36,6 +38,8 @@ const std::vector<Preset>& presets()
     { "painterly", preset_painterly },
     { "paper", preset_paper },
     { "stipple", preset_stipple },
+    { "stipple-white", preset_stipple_white },
+    { "stipple-two-inks", preset_stipple_two_inks },
     { "gabor", preset_gabor },
     { "phasor", preset_phasor },
     { "spot", preset_spot },

@@ -254,8 +254,26 @@ void vtkPatternScreenPass::Place(const Scene& scene, vtkPatternWindowResources& 
   resources.SurfaceDepth->Activate();
   program->SetUniformi("hachureDrawn", resources.DrawnColor->GetTextureUnit());
   program->SetUniformi("hachureSurfaceDepth", resources.SurfaceDepth->GetTextureUnit());
-  RenderWithin(scene.Window->GetState(), scene.Rectangle, *this->PlaceQuad,
-    scene.Style->GetPaperSource() == vtkPatternStyle::NO_PAPER);
+  vtkOpenGLState* state = scene.Window->GetState();
+  program->SetUniformf("hachureMostLeftOut", 0.0f);
+  if (scene.Style->GetPaperSource() == vtkPatternStyle::NO_PAPER)
+  {
+    // What is drawn later and lies behind is hidden by what covers most of a pixel: behind the rims
+    // of marks one would see what was there before it.
+    constexpr float half = 0.5f;
+    vtkOpenGLState::ScopedglDepthMask depthMask(state);
+    vtkOpenGLState::ScopedglColorMask colorMask(state);
+    state->vtkglDepthMask(GL_FALSE);
+    RenderWithin(state, scene.Rectangle, *this->PlaceQuad, true);
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    program->SetUniformf("hachureMostLeftOut", half);
+    RenderWithin(state, scene.Rectangle, *this->PlaceQuad);
+  }
+  else
+  {
+    RenderWithin(state, scene.Rectangle, *this->PlaceQuad);
+  }
   resources.SurfaceDepth->Deactivate();
   resources.DrawnColor->Deactivate();
 }

@@ -97,6 +97,57 @@ hachure::StippleOptions OptionsOf(const vtkPatternSurface::StippleKey& key)
   options.count = key.Count;
   return options;
 }
+
+// Closed blocks that are inside out are turned.
+std::vector<glm::ivec3> OutwardTriangles(const hachure::SurfaceTriangles& surface)
+{
+  std::vector<glm::ivec3> triangles = surface.triangles;
+  for (std::size_t block = 0; block < surface.blocks.size(); ++block)
+  {
+    if (hachure::isInsideOut(surface.blockMesh(block)))
+    {
+      const bool isLast = block + 1 == surface.blocks.size();
+      const auto begin = static_cast<std::size_t>(surface.blocks[block].firstTriangle);
+      const std::size_t end = isLast
+        ? triangles.size()
+        : static_cast<std::size_t>(surface.blocks[block + 1].firstTriangle);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        std::swap(triangles[i].y, triangles[i].z);
+      }
+    }
+  }
+  return triangles;
+}
+
+// Places and normals.
+std::pair<std::vector<glm::dvec3>, std::vector<glm::dvec3>> PlacesOf(
+  const hachure::TriangleMesh& mesh, const std::vector<hachure::StipplePoint>& points)
+{
+  std::pair<std::vector<glm::dvec3>, std::vector<glm::dvec3>> result;
+  result.first.reserve(points.size());
+  result.second.reserve(points.size());
+  for (const hachure::StipplePoint& point : points)
+  {
+    result.first.push_back(hachure::stipplePosition(mesh, point));
+    result.second.push_back(hachure::triangleAreaVector(mesh, point.triangle));
+  }
+  return result;
+}
+
+// Stipples that leave, as points without a mesh, which have the density of their spacing.
+hachure::StippleHierarchy HierarchyOf(const hachure::LivingStipples& living)
+{
+  constexpr double squareSpacing = 0.47; // of the density 1, as StippleTree takes it
+  hachure::StippleHierarchy result;
+  result.points.reserve(living.leaving.size());
+  for (std::size_t i = 0; i < living.leaving.size(); ++i)
+  {
+    result.points.push_back({ static_cast<std::int32_t>(i), { 0.0f, 0.0f },
+      static_cast<float>(std::sqrt(squareSpacing / living.leavingDensities[i])) });
+  }
+  return result;
+}
 } // namespace
 
 bool vtkPatternSurface::State::Follows(const State& before) const
@@ -141,6 +192,8 @@ void vtkPatternSurface::Replace(vtkDataObject* input, const Source& source)
   this->Arrays.clear();
   this->Current = std::make_shared<State>();
   this->Current->Lineage = before->Lineage + (related ? 0 : 1);
+  before->Before.reset();
+  this->Current->Before = related ? before : nullptr;
   this->Current->Surface = hachure::extractSurfaceTriangles(input);
   this->Identify(input);
   if (!this->Current->Ids.empty())
@@ -197,7 +250,7 @@ void vtkPatternSurface::Move()
   }
   for (auto& stipples : this->Current->Stipples)
   {
-    stipples.second.setPositions(this->Current->Positions);
+    stipples.second.Move({ this->Current->Positions, this->Current->Outward, {} });
   }
   for (auto& stipples : this->Current->ClassicStipples)
   {
@@ -288,47 +341,64 @@ std::shared_ptr<hachure::NoiseSurface> vtkPatternSurface::Points(std::uint32_t s
   return { this->Current, &found->second };
 }
 
-std::vector<glm::ivec3> vtkPatternSurface::OutwardTriangles() const
+void vtkPatternSurface::StippleSet::Move(const hachure::TriangleMesh& mesh)
 {
-  const hachure::SurfaceTriangles& surface = this->Current->Surface;
-  std::vector<glm::ivec3> triangles = surface.triangles;
-  for (std::size_t block = 0; block < surface.blocks.size(); ++block)
+  this->Tree.setPositions(mesh.points);
+  const auto places = PlacesOf(mesh, this->Living.leaving);
+  if (!this->Living.leaving.empty())
   {
-    if (hachure::isInsideOut(surface.blockMesh(block)))
-    {
-      const bool isLast = block + 1 == surface.blocks.size();
-      const auto begin = static_cast<std::size_t>(surface.blocks[block].firstTriangle);
-      const std::size_t end = isLast
-        ? triangles.size()
-        : static_cast<std::size_t>(surface.blocks[block + 1].firstTriangle);
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        std::swap(triangles[i].y, triangles[i].z);
-      }
-    }
+    this->Leaving.setPositions(places.first, places.second);
   }
-  return triangles;
 }
 
-hachure::StippleTree vtkPatternSurface::MakeStipples(const StippleKey& key)
+const std::vector<glm::ivec3>& vtkPatternSurface::Outward()
 {
-  const std::vector<glm::ivec3> triangles = this->OutwardTriangles();
-  const std::vector<glm::dvec3> first = FiniteOf(this->Current->Surface.points);
-  const hachure::TriangleMesh mesh = { first, triangles, {} };
+  State& state = *this->Current;
+  if (state.Outward.empty())
+  {
+    state.Outward = OutwardTriangles(state.Surface);
+  }
+  return state.Outward;
+}
+
+vtkPatternSurface::StippleSet vtkPatternSurface::MakeStipples(const StippleKey& key)
+{
+  State& state = *this->Current;
+  const std::vector<glm::dvec3> first = FiniteOf(state.Surface.points);
+  const hachure::TriangleMesh mesh = { first, this->Outward(), {} };
   const hachure::StippleOptions options = OptionsOf(key);
   hachure::StippleTreeOptions treeOptions;
   treeOptions.seed = key.Seed;
-  return hachure::StippleTree(mesh, hachure::stippleSurface(mesh, options), treeOptions);
+  hachure::LivingStipples living;
+  const bool follows = key.Life > 0 && key.Order == hachure::StippleOrder::Progressive &&
+    state.Before && state.Follows(*state.Before);
+  const auto before = follows ? state.Before->Stipples.find(key) : state.Stipples.end();
+  if (follows && before != state.Before->Stipples.end())
+  {
+    // How far surfaces move at once; of their size.
+    constexpr double reach = 0.02;
+    living = hachure::carryLiving({ state.Before->Positions, state.Before->Outward, {} },
+      before->second.Living, mesh, key.Life, options, reach * before->second.Living.hierarchy.size);
+  }
+  else
+  {
+    living.hierarchy = hachure::stippleSurface(mesh, options);
+  }
+  hachure::StippleTree tree(mesh, living.hierarchy, treeOptions);
+  const auto places = PlacesOf(mesh, living.leaving);
+  const hachure::StippleHierarchy leaving = HierarchyOf(living);
+  return { std::move(living), std::move(tree),
+    hachure::StippleTree(places.first, places.second, leaving, treeOptions) };
 }
 
-std::shared_ptr<hachure::StippleTree> vtkPatternSurface::Stipples(const StippleKey& key)
+std::shared_ptr<vtkPatternSurface::StippleSet> vtkPatternSurface::Stipples(const StippleKey& key)
 {
   State& state = *this->Current;
   auto found = state.Stipples.find(key);
   if (found == state.Stipples.end())
   {
     found = state.Stipples.emplace(key, this->MakeStipples(key)).first;
-    found->second.setPositions(state.Positions);
+    found->second.Move({ state.Positions, state.Outward, {} });
   }
   return { this->Current, &found->second };
 }
@@ -339,9 +409,8 @@ std::shared_ptr<hachure::StippleEdges> vtkPatternSurface::ClassicStipples(const 
   auto found = state.ClassicStipples.find(key);
   if (found == state.ClassicStipples.end())
   {
-    const std::vector<glm::ivec3> triangles = this->OutwardTriangles();
     const std::vector<glm::dvec3> first = FiniteOf(state.Surface.points);
-    const hachure::TriangleMesh mesh = { first, triangles, {} };
+    const hachure::TriangleMesh mesh = { first, this->Outward(), {} };
     hachure::StippleEdges edges(mesh, hachure::stippleSurface(mesh, OptionsOf(key)));
     edges.setPositions(state.Positions);
     found = state.ClassicStipples.emplace(key, std::move(edges)).first;

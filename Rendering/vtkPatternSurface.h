@@ -10,6 +10,7 @@
 
 #include "NoiseSurface.h"
 #include "StippleEdges.h"
+#include "StippleLife.h"
 #include "StippleTree.h"
 #include "SurfaceTriangles.h"
 #include "vtkPatternGeometry.h"
@@ -51,11 +52,19 @@ public:
     hachure::StippleOrder Order;
     std::uint32_t Seed;
     std::int64_t Count;
+    int Life; // changes of cells over which they come and go; 0: each surface has its own
     bool operator<(const StippleKey& other) const
     {
-      return std::tie(this->Order, this->Seed, this->Count) <
-        std::tie(other.Order, other.Seed, other.Count);
+      return std::tie(this->Order, this->Seed, this->Count, this->Life) <
+        std::tie(other.Order, other.Seed, other.Count, other.Life);
     }
+  };
+  struct StippleSet
+  {
+    hachure::LivingStipples Living;
+    hachure::StippleTree Tree;
+    hachure::StippleTree Leaving; // those of surfaces before; by their index in Living
+    void Move(const hachure::TriangleMesh& mesh);
   };
 
   /// A surface as long as it has the same cells. Who holds one keeps it as it was last.
@@ -66,9 +75,11 @@ public:
     std::vector<std::uint64_t> Ids;    // from global ids of cells; empty where there are none
     std::vector<double> Areas; // with ids: those of the first surface that had such a triangle
     std::map<std::uint32_t, hachure::NoiseSurface> Seeds;
-    std::map<StippleKey, hachure::StippleTree> Stipples;
+    std::map<StippleKey, StippleSet> Stipples;
     std::map<StippleKey, hachure::StippleEdges> ClassicStipples;
-    unsigned long Lineage = 0; // the same for surfaces that come from one another
+    std::vector<glm::ivec3> Outward; // triangles, those of closed blocks facing out; or empty
+    std::shared_ptr<State> Before;   // surface that this one replaced, until it is replaced
+    unsigned long Lineage = 0;       // the same for surfaces that come from one another
     double DataTime = std::numeric_limits<double>::quiet_NaN();
     double AnimationTime = 0.0;
 
@@ -82,7 +93,7 @@ public:
 
   /// Stipples, where the surface is now; their normals point outward where it is closed. Owns the
   /// state.
-  std::shared_ptr<hachure::StippleTree> Stipples(const StippleKey& key);
+  std::shared_ptr<StippleSet> Stipples(const StippleKey& key);
   /// The same of those in the order Classic, with the edges to their relevant neighbours.
   std::shared_ptr<hachure::StippleEdges> ClassicStipples(const StippleKey& key);
 
@@ -112,8 +123,8 @@ public:
 private:
   void Replace(vtkDataObject* input, const Source& source);
   void Identify(vtkDataObject* input);
-  std::vector<glm::ivec3> OutwardTriangles() const;
-  hachure::StippleTree MakeStipples(const StippleKey& key);
+  const std::vector<glm::ivec3>& Outward();
+  StippleSet MakeStipples(const StippleKey& key);
   void Move();
 
   vtkPatternGeometry Geometry;

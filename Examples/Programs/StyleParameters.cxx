@@ -11,6 +11,7 @@
 #include <vtkPatternStyle.h>
 #include <vtkPatternTone.h>
 #include <vtkSmartPointer.h>
+#include <vtkStippleLayer.h>
 
 #include <map>
 
@@ -58,6 +59,11 @@ void addLayer(Parameters& all, vtkPatternLayer* layer, const std::string& path)
     all[path + "field.spread"] = number(noise, &vtkNoiseLayer::SetSpread, 0.0, 90.0);
     all[path + "field.regularity"] = number(noise, &vtkNoiseLayer::SetRegularity, 0.25, 8.0);
     all[path + "field.smoothness"] = number(noise, &vtkNoiseLayer::SetSmoothness, 0.0, 1.0);
+  }
+  if (auto* stipples = vtkStippleLayer::SafeDownCast(layer))
+  {
+    all[path + "field.size"] = number(stipples, &vtkStippleLayer::SetSize, 0.01, LargestSize);
+    all[path + "field.growth"] = number(stipples, &vtkStippleLayer::SetGrowth, 0.01, 4.0);
   }
 }
 

@@ -169,8 +169,8 @@ private:
     this->current.weights[1] =
       std::min(static_cast<float>(weights.third), 1.0f - this->current.weights[0]);
     this->current.place = this->placeOf(weights);
-    this->current.crowding =
-      this->around.crowding(this->current.place, this->current.normal, this->blocks);
+    this->current.crowding = this->around.crowding(
+      this->current.place, this->current.normal, this->blocks, this->mostCrowded);
     if (this->current.crowding <= this->mostCrowded)
     {
       this->result.push_back(this->current);

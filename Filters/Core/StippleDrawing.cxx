@@ -350,6 +350,18 @@ Walk walk(const StippleTree& tree, const StippleDrawing& drawing)
   return result;
 }
 
+// Whether at least half of what refinements hold is in the picture.
+bool isMostlySeen(const StippleTree& tree, const Walk& shown)
+{
+  std::size_t bytes = 0;
+  for (const StippleDrawing::Task& task : shown.seen)
+  {
+    const StippleNode& node = tree.node(task.node);
+    bytes += node.ranks.empty() ? node.memory() : 0;
+  }
+  return 2 * bytes >= tree.refinedMemory();
+}
+
 // Stipples of a node above those that lack some may be among them, too.
 void markAncestors(const StippleTree& tree, Walk& shown)
 {
@@ -374,17 +386,24 @@ bool drawStipples(
   StippleTree& tree, const StippleDrawing& drawing, bool refines, std::vector<DrawnStipple>& drawn)
 {
   Walk shown = walk(tree, drawing);
-  // One level at a time: children are smaller, and what they want is better known.
-  bool isMore = refines && tree.canRefine();
-  while (isMore && !shown.lacking.empty())
+  bool mayForget = true;
+  while (refines && tree.canRefine() && !shown.lacking.empty())
   {
-    for (StippleRequest& request : shown.lacking)
-    {
-      constexpr double littleMore = 1.0 + 1e-6;
-      request.density = littleMore * tree.node(request.node).heldDensity;
-    }
-    isMore = tree.refine(shown.lacking);
+    const std::size_t before = tree.nodes().size();
+    const bool isMade = tree.refine(shown.lacking);
+    const bool isMore = tree.nodes().size() > before;
     shown = walk(tree, drawing);
+    if (!isMade && mayForget && !isMostlySeen(tree, shown))
+    {
+      // Other views have spent the budget.
+      mayForget = false;
+      tree.dropRefinements();
+      shown = walk(tree, drawing);
+    }
+    else if (!isMade || !isMore)
+    {
+      break;
+    }
   }
   markAncestors(tree, shown);
   constexpr std::int64_t grain = 8; // nodes

@@ -19,25 +19,6 @@ namespace
 
 constexpr std::int64_t mostPoints = std::int64_t{ 1 } << 27;
 
-void checkOptions(const StippleOptions& options)
-{
-  if (options.count < 0 || options.count > mostPoints)
-  {
-    throw std::invalid_argument(
-      "count: " + std::to_string(options.count) + ", expected 0 to " + std::to_string(mostPoints));
-  }
-  if (!(options.leastMove >= 0.0 && options.leastMove <= 0.5))
-  {
-    throw std::invalid_argument(
-      "leastMove: " + std::to_string(options.leastMove) + ", expected 0 to 0.5");
-  }
-  if (!(options.mostMove >= options.leastMove && options.mostMove <= 0.5))
-  {
-    throw std::invalid_argument("mostMove: " + std::to_string(options.mostMove) +
-      ", expected leastMove (" + std::to_string(options.leastMove) + ") to 0.5");
-  }
-}
-
 bool isFinite(const glm::dvec3& value)
 {
   return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
@@ -81,6 +62,25 @@ std::vector<StipplePoint> inUnitsOfMesh(const std::vector<StippleCandidate>& fou
 
 } // namespace
 
+void checkStippleOptions(const StippleOptions& options)
+{
+  if (options.count < 0 || options.count > mostPoints)
+  {
+    throw std::invalid_argument(
+      "count: " + std::to_string(options.count) + ", expected 0 to " + std::to_string(mostPoints));
+  }
+  if (!(options.leastMove >= 0.0 && options.leastMove <= 0.5))
+  {
+    throw std::invalid_argument(
+      "leastMove: " + std::to_string(options.leastMove) + ", expected 0 to 0.5");
+  }
+  if (!(options.mostMove >= options.leastMove && options.mostMove <= 0.5))
+  {
+    throw std::invalid_argument("mostMove: " + std::to_string(options.mostMove) +
+      ", expected leastMove (" + std::to_string(options.leastMove) + ") to 0.5");
+  }
+}
+
 std::size_t StippleHierarchy::memory() const
 {
   return this->points.capacity() * sizeof(StipplePoint) +
@@ -91,7 +91,7 @@ std::size_t StippleHierarchy::memory() const
 
 StippleHierarchy stippleSurface(const TriangleMesh& mesh, const StippleOptions& options)
 {
-  checkOptions(options);
+  checkStippleOptions(options);
   checkTriangleMesh(mesh);
   const StippleSurface surface = makeStippleSurface(mesh);
   StippleHierarchy result;
@@ -115,7 +115,7 @@ StippleHierarchy stippleSurface(const TriangleMesh& mesh, const StippleOptions& 
 StippleHierarchy stipplePoints(
   Span<const glm::dvec3> points, Span<const glm::dvec3> normals, const StippleOptions& options)
 {
-  checkOptions(options);
+  checkStippleOptions(options);
   checkPoints(points, normals);
   if (options.order == StippleOrder::Classic)
   {

@@ -116,7 +116,7 @@ const StippleNeighbourhood::Block& StippleNeighbourhood::visit(
 }
 
 float StippleNeighbourhood::crowding(
-  const glm::vec3& place, const glm::vec3& normal, Blocks& blocks) const
+  const glm::vec3& place, const glm::vec3& normal, Blocks& blocks, float limit) const
 {
   const Block& block = this->visit(place, blocks);
   const float reachSquare = this->reach * this->reach;
@@ -128,6 +128,10 @@ float StippleNeighbourhood::crowding(
     if (square < reachSquare && stipplesMatter(normal, other.normal))
     {
       sum += stippleCrowding(square, reachSquare);
+      if (sum > limit)
+      {
+        return sum;
+      }
     }
   }
   float byBorder = 0.0f;

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 // How crowded a place is by the points around it. A point at distance d, with the reach R within
@@ -71,7 +72,9 @@ public:
   StippleNeighbourhood(const std::vector<StippleCandidate>& placed,
     const std::vector<StippleBorder>& borders, float reach);
 
-  float crowding(const glm::vec3& place, const glm::vec3& normal, Blocks& blocks) const;
+  // Above the limit any number above it will do.
+  float crowding(const glm::vec3& place, const glm::vec3& normal, Blocks& blocks,
+    float limit = std::numeric_limits<float>::infinity()) const;
 
   // A bound: all places of the triangle are at least so crowded. 0 for triangles much larger than
   // the reach.

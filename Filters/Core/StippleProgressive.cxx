@@ -16,6 +16,10 @@
 // cells work at the same time: each proposes its best candidate, the least crowded, and it is
 // placed unless a neighbour's better one is near; until all candidates are too crowded. A round's
 // points are then sorted by room. No choice depends on the order of work.
+//
+// Carried points take part as candidates that nobody chooses unless they are due: in a round, those
+// first that had come in at the density of now, and with a little less room than the radius; then
+// those that soon would, where there is a gap of that radius; then new ones.
 
 #include "Parallel.h"
 #include "Random.h"
@@ -23,6 +27,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <iterator>
 #include <limits>
 
 namespace hachure
@@ -48,6 +54,16 @@ constexpr double pointsPerDisc = 0.45;
 constexpr float finestRadius = 1e-6f; // floats within 1 do not resolve less
 constexpr std::int64_t candidateGrain = 16384;
 
+// Of the radius of a round. Measured: with 0.7 after ten changes the evenness R is 1.63, with 0.75
+// 1.66; with 0.85 a quarter of the points of an unchanged surface go, with 0.75 none.
+constexpr float leastCarriedRoom = 0.75f;
+constexpr double soonRatio = 1.25; // of densities
+
+struct TriangleRange
+{
+  std::int32_t first = 0, last = std::numeric_limits<std::int32_t>::max();
+};
+
 std::size_t at(std::int64_t index)
 {
   return static_cast<std::size_t>(index);
@@ -59,6 +75,8 @@ class CandidateCells
 public:
   CandidateCells(const std::vector<StippleCandidate>& someCandidates, float side);
 
+  // From now on, only candidates of these triangles; below 0: carried ones.
+  void choose(const TriangleRange& among);
   // Places candidates until all are more crowded than the limit, and appends them.
   void fill(float mostCrowded, std::vector<StippleCandidate>& placed);
 
@@ -69,12 +87,19 @@ private:
     std::int32_t candidate = -1;
   };
 
+  // Whichever other candidates there are.
+  std::uint64_t hashOf(std::int32_t candidate) const
+  {
+    const StippleCandidate& at = this->candidates[static_cast<std::size_t>(candidate)];
+    std::uint64_t bits[2] = {};
+    std::memcpy(bits, &at.place, sizeof(at.place));
+    return hashPair(bits[0], bits[1]);
+  }
   bool isBetter(const Best& first, const Best& second) const
   {
     return first.crowding != second.crowding
       ? first.crowding < second.crowding
-      : hashMix(static_cast<std::uint64_t>(first.candidate)) >
-        hashMix(static_cast<std::uint64_t>(second.candidate));
+      : this->hashOf(first.candidate) > this->hashOf(second.candidate);
   }
   void linkNeighbours(float side);
   void findBest(std::int32_t cell);
@@ -83,6 +108,7 @@ private:
   void crowd(std::int32_t cell);
 
   float reachSquare;
+  TriangleRange choice;
   std::vector<StippleCandidate> candidates; // by cell
   StippleCells cells;
   std::vector<std::int32_t> firstNeighbour, neighbours; // of each cell, with itself
@@ -156,12 +182,24 @@ void CandidateCells::findBest(std::int32_t cell)
   for (std::int32_t i = range.begin; i < range.end; ++i)
   {
     const Best other = { this->candidates[at(i)].crowding, i };
+    const std::int32_t key = this->candidates[at(i)].triangle;
+    if (key < this->choice.first || key > this->choice.last)
+    {
+      continue;
+    }
     if (result.candidate < 0 || this->isBetter(other, result))
     {
       result = other;
     }
   }
   this->best[at(cell)] = result;
+}
+
+void CandidateCells::choose(const TriangleRange& among)
+{
+  this->choice = among;
+  parallelFor(this->cells.size(),
+    [this](std::int64_t cell) { this->findBest(static_cast<std::int32_t>(cell)); });
 }
 
 // Whether no better candidate is so near that it would change this one's room by much.
@@ -333,46 +371,180 @@ std::int64_t candidatesFor(double area, float radius, std::size_t placed)
   return static_cast<std::int64_t>(perPoint * points);
 }
 
+// The end of the round by which there should be `count` points: those placed fill the area up to a
+// radius, and twice as many up to one of 1 / sqrt(2).
+float radiusFor(std::int64_t count, std::size_t placed, float radius)
+{
+  constexpr std::size_t fewPoints = 2000; // for which all candidates are soon made
+  constexpr double margin = 0.97;
+  const double wanted =
+    margin * radius * std::sqrt(static_cast<double>(placed) / static_cast<double>(count));
+  while (placed >= fewPoints && radius > wanted)
+  {
+    radius *= roundRatio;
+  }
+  return placed < fewPoints ? 0.0f : radius;
+}
+
+class GapFiller
+{
+public:
+  GapFiller(StippleSource& someSource, double anArea, const std::vector<StippleBorder>& someBorders,
+    std::int64_t aCount, const ProgressFn& aProgress, const CarriedCandidates& someCarried)
+    : source(someSource)
+    , area(anArea)
+    , borders(someBorders)
+    , count(aCount)
+    , progress(aProgress)
+    , carried(someCarried)
+  {
+    this->placed.reserve(at(aCount));
+  }
+
+  std::vector<StippleCandidate> run()
+  {
+    for (std::uint32_t octave = 0; this->radius > finestRadius && !this->isComplete(); ++octave)
+    {
+      const float first = this->radius;
+      const std::size_t before = this->placed.size();
+      const float last = first * octaveRatio;
+      const std::int64_t candidates =
+        this->source.prepare(candidatesFor(this->area, last, before), octave);
+      // Candidates that have no room before all points are placed change nothing. If there are
+      // still too few points then, all others had their say, too.
+      const float enough = radiusFor(this->count, before, first);
+      if (enough > last && !this->source.isExhausted())
+      {
+        this->fillOctave(candidates, enough);
+      }
+      if (!this->isComplete())
+      {
+        this->radius = first;
+        this->placed.resize(before);
+        this->fillOctave(candidates, last);
+      }
+    }
+    return this->isStopped ? std::vector<StippleCandidate>() : std::move(this->placed);
+  }
+
+private:
+  bool isComplete() const { return this->isStopped || this->placed.size() >= at(this->count); }
+
+  void report()
+  {
+    this->reported = std::max(
+      this->reported, static_cast<double>(this->placed.size()) / static_cast<double>(this->count));
+    this->isStopped = this->progress && !this->progress(this->reported);
+  }
+
+  // How many of the carried points had come in at the density that there will be when the gaps,
+  // now of one radius, are of another; and at one so many times as high.
+  std::int32_t dueAt(float now, float then, double ratio) const
+  {
+    const double growth = static_cast<double>(now) / static_cast<double>(then);
+    const double ranks = static_cast<double>(this->placed.size()) * growth * growth + 1.0;
+    return static_cast<std::int32_t>(std::min(
+      ratio * ranks / this->carried.growth, static_cast<double>(this->carried.points.size())));
+  }
+
+  // Those that will be due within the octave and are not placed yet.
+  void addCarried(const StippleNeighbourhood& around, float last, float reach,
+    std::vector<StippleCandidate>& candidates) const
+  {
+    constexpr double margin = 1.5; // of the number of points
+    const std::int32_t due = this->dueAt(this->radius, last, margin * soonRatio);
+    std::vector<char> isPlaced(this->carried.points.size(), 0);
+    for (const StippleCandidate& point : this->placed)
+    {
+      if (point.triangle < 0)
+      {
+        isPlaced[at(carriedIndex(point))] = 1;
+      }
+    }
+    std::vector<StippleCandidate> waiting;
+    for (std::int32_t i = 0; i < due; ++i)
+    {
+      if (isPlaced[at(i)] == 0 && this->carried.points[at(i)].triangle >= 0)
+      {
+        waiting.push_back(this->carried.points[at(i)]);
+        waiting.back().triangle = -1 - i;
+      }
+    }
+    constexpr std::int64_t grain = 1024;
+    parallelForRanges(static_cast<std::int64_t>(waiting.size()), grain,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        StippleNeighbourhood::Blocks blocks;
+        for (std::int64_t i = begin; i < end; ++i)
+        {
+          StippleCandidate& point = waiting[at(i)];
+          point.crowding = around.crowding(point.place, point.normal, blocks);
+        }
+      });
+    const float mostCrowded = crowdingFor(leastCarriedRoom * last, reach);
+    std::copy_if(waiting.begin(), waiting.end(), std::back_inserter(candidates),
+      [&](const StippleCandidate& point) { return point.crowding <= mostCrowded; });
+  }
+
+  void placeCarried(CandidateCells& cells, float before, float reach)
+  {
+    if (this->carried.points.empty())
+    {
+      return;
+    }
+    cells.choose({ -this->dueAt(before, this->radius, 1.0), -1 });
+    cells.fill(crowdingFor(leastCarriedRoom * this->radius, reach), this->placed);
+    cells.choose({ -this->dueAt(before, this->radius, soonRatio), -1 });
+    cells.fill(crowdingFor(this->radius, reach), this->placed);
+    cells.choose(TriangleRange());
+  }
+
+  // All gaps wider than `last`, or until there are points enough.
+  void fillOctave(std::int64_t candidates, float last)
+  {
+    const float reach = this->radius * reachRatio;
+    const StippleNeighbourhood around(this->placed, this->borders, reach);
+    Survivors survivors =
+      makeCandidates(this->source, candidates, around, crowdingFor(last, reach));
+    this->addCarried(around, last, reach, survivors.candidates);
+    if (survivors.candidates.empty() && this->source.isExhausted())
+    {
+      this->radius = stippleRoom(survivors.leastLeftOut, reach);
+      return;
+    }
+    CandidateCells cells(survivors.candidates, reach);
+    while (this->radius > last && !this->isComplete())
+    {
+      this->report();
+      const float before = this->radius;
+      const std::size_t first = this->placed.size();
+      this->radius = std::max(last, this->radius * roundRatio);
+      this->placeCarried(cells, before, reach);
+      cells.fill(crowdingFor(this->radius, reach), this->placed);
+      sortByRoom(this->placed, first, reach, before);
+    }
+    this->placed.resize(std::min(this->placed.size(), at(this->count)));
+  }
+
+  StippleSource& source;
+  double area;
+  const std::vector<StippleBorder>& borders;
+  std::int64_t count;
+  const ProgressFn& progress;
+  const CarriedCandidates& carried;
+  std::vector<StippleCandidate> placed;
+  float radius = 1.0f; // up to which gaps are filled
+  double reported = 0.0;
+  bool isStopped = false;
+};
+
 } // namespace
 
 std::vector<StippleCandidate> fillGaps(StippleSource& source, double area,
-  const std::vector<StippleBorder>& borders, std::int64_t count, const ProgressFn& progress)
+  const std::vector<StippleBorder>& borders, std::int64_t count, const ProgressFn& progress,
+  const CarriedCandidates& carried)
 {
-  std::vector<StippleCandidate> placed;
-  placed.reserve(at(count));
-  float radius = 1.0f;
-  for (std::uint32_t octave = 0; radius > finestRadius; ++octave)
-  {
-    const float last = radius * octaveRatio;
-    const float reach = radius * reachRatio;
-    const std::int64_t number = source.prepare(candidatesFor(area, last, placed.size()), octave);
-    const StippleNeighbourhood around(placed, borders, reach);
-    const Survivors survivors = makeCandidates(source, number, around, crowdingFor(last, reach));
-    if (survivors.candidates.empty() && source.isExhausted())
-    {
-      radius = stippleRoom(survivors.leastLeftOut, reach);
-      continue;
-    }
-    CandidateCells cells(survivors.candidates, reach);
-    while (radius > last)
-    {
-      if (progress && !progress(static_cast<double>(placed.size()) / static_cast<double>(count)))
-      {
-        return {};
-      }
-      const float before = radius;
-      const std::size_t first = placed.size();
-      radius = std::max(last, radius * roundRatio);
-      cells.fill(crowdingFor(radius, reach), placed);
-      sortByRoom(placed, first, reach, before);
-      if (placed.size() >= at(count))
-      {
-        placed.resize(at(count));
-        return placed;
-      }
-    }
-  }
-  return placed;
+  return GapFiller(source, area, borders, count, progress, carried).run();
 }
 
 } // namespace hachure

@@ -58,6 +58,9 @@ struct StippleSurface
 // direction of rotation) once, as they come.
 std::vector<std::int32_t> distinctTriangles(const TriangleMesh& mesh);
 
+// Throws std::invalid_argument naming the option and its value.
+void checkStippleOptions(const StippleOptions& options);
+
 // Of a checked mesh.
 StippleSurface makeStippleSurface(const TriangleMesh& mesh);
 

@@ -185,6 +185,7 @@ void StippleTree::build(const StippleHierarchy& base, const StippleTreeOptions& 
     this->refinement->enterBase(this->allNodes);
   }
   goesOn(1.0);
+  this->baseMemory = this->memory();
 }
 
 void StippleTree::prepareRefinement(std::uint32_t seed, std::size_t pointCount)
@@ -244,7 +245,7 @@ bool StippleTree::refine(Span<const StippleRequest> requests, const ProgressFn& 
   {
     return isFineEnough;
   }
-  const std::size_t held = this->memory();
+  const std::size_t held = this->refinedMemory();
   StippleRefinement::Work work{ this->allNodes, *this->shape, *this->levels,
     this->budget > held ? this->budget - held : 0, progress };
   return this->refinement->refine(work, wanted) && isFineEnough;

@@ -33,8 +33,7 @@ struct StippleLevels;
 struct StippleTreeOptions
 {
   std::uint32_t seed = 1; // of the points of refinements
-  // Bytes that the tree may hold, 0 or more. The base is held in any case; a refinement that does
-  // not fit is not made.
+  // Bytes that refinements may take besides the base; one that does not fit is not made.
   std::size_t budget = std::size_t{ 256 } << 20;
   // Called on the caller's thread with the finished fraction of the building; false stops, and the
   // tree is empty.
@@ -86,6 +85,8 @@ public:
   // either all of its children or none. Throws std::invalid_argument for a node that is none and a
   // density that is NaN.
   bool refine(Span<const StippleRequest> requests, const ProgressFn& progress = {});
+  // Bytes for refinements from now on; what is there stays.
+  void setBudget(std::size_t bytes) { this->budget = bytes; }
   // Forgets all points of refinements, to make room for others; made again they are the same.
   void dropRefinements();
 
@@ -96,6 +97,7 @@ public:
   void setPositions(Span<const glm::dvec3> points, Span<const glm::dvec3> normals = {});
 
   std::size_t memory() const; // bytes held
+  std::size_t refinedMemory() const { return this->memory() - this->baseMemory; }
 
 private:
   void build(const StippleHierarchy& base, const StippleTreeOptions& options);
@@ -104,7 +106,8 @@ private:
   std::unique_ptr<StippleShape> shape;
   std::unique_ptr<StippleLevels> levels;
   std::vector<StippleNode> allNodes;
-  std::size_t baseCount = 0; // of nodes
+  std::size_t baseCount = 0;  // of nodes
+  std::size_t baseMemory = 0; // bytes before any refinement
   std::size_t budget = 0;
   std::unique_ptr<StippleRefinement> refinement; // if there can be one
 };

@@ -69,16 +69,14 @@ void vtkNoiseRepresentation::AdjustStyle(vtkPatternStyle* style)
 {
   this->Superclass::AdjustStyle(style);
   const vtkSmartPointer<vtkImageData> spot = this->ReadSpot();
-  for (int i = 0; i < style->GetNumberOfLayers(); ++i)
-  {
-    if (auto* layer = vtkNoiseLayer::SafeDownCast(style->GetLayer(i)))
+  ForEachLayer<vtkNoiseLayer>(style,
+    [this, &spot](vtkNoiseLayer* layer)
     {
       this->AdjustKind(layer, spot);
       this->AdjustNumbers(layer);
       this->AdjustControl(layer);
       this->AdjustKernels(layer);
-    }
-  }
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -747,6 +747,19 @@ protected:
   /** Replaces in a style what the properties ask for. */
   virtual void AdjustStyle(vtkPatternStyle* style);
 
+  // Calls the function with every layer of a type.
+  template <class Layer, class Function>
+  static void ForEachLayer(vtkPatternStyle* style, const Function& function)
+  {
+    for (int i = 0; i < style->GetNumberOfLayers(); ++i)
+    {
+      if (auto* layer = Layer::SafeDownCast(style->GetLayer(i)))
+      {
+        function(layer);
+      }
+    }
+  }
+
   // What setters of the style have in common.
   template <class T>
   void Change(T& member, const T& value)

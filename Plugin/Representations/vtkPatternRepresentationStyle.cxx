@@ -7,6 +7,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkNoiseLayer.h"
+#include "vtkStippleLayer.h"
 
 #include <cmath>
 
@@ -34,6 +35,10 @@ void vtkPatternRepresentation::AdjustStyle(vtkPatternStyle* style)
     if (auto* noise = vtkNoiseLayer::SafeDownCast(layer))
     {
       this->AdjustNoise(noise);
+    }
+    if (auto* stipples = vtkStippleLayer::SafeDownCast(layer))
+    {
+      stipples->SetSize(stipples->GetSize() * this->PatternScale);
     }
     layer->SetSeed(layer->GetSeed() + static_cast<vtkTypeUInt32>(this->PatternSeed));
     this->AdjustInk(layer);

@@ -7,6 +7,7 @@ in vec2 texCoord;
 
 uniform sampler2D hachureDrawn;        // display-referred colour times alpha
 uniform sampler2D hachureSurfaceDepth; // window depth, 1 where nothing was drawn
+uniform float hachureMostLeftOut;      // alpha
 
 void main()
 {
@@ -14,7 +15,7 @@ void main()
   float depth = texelFetch(hachureSurfaceDepth, pixel, 0).r;
   vec4 drawn = texelFetch(hachureDrawn, pixel, 0);
   // The last part never holds; the quad must use all of its attributes.
-  if (depth >= 1.0 || drawn.a <= 0.0 || texCoord.x < 0.0)
+  if (depth >= 1.0 || drawn.a <= hachureMostLeftOut || texCoord.x < 0.0)
   {
     discard;
   }

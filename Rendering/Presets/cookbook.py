@@ -23,6 +23,10 @@ DESCRIPTIONS = {
     "cmyk": "A print of the surface's colours in four inks, each in a screen of its own angle.",
     "painterly": "Overlapping dabs of a brush in the surface's colours, with the relief of paint.",
     "paper": "Pen strokes on rough paper, whose grain decides with them where ink goes first.",
+    "stipple": "Dots of one size, the more of them the darker it is; each sits on a point of the surface.",
+    "stipple-white": "White dots on dark paper: the more of them the lighter it is.",
+    "stipple-two-inks": "Black dots for the shadow and white ones for the light, as ink and chalk on toned paper, "
+                        "which is left bare between them.",
     "gabor": "Gabor noise without a direction: stipples in light tones, holes in dark ones.",
     "phasor": "Phasor noise: lines of even contrast that bend, branch and end; as wide as the tone.",
     "spot": "Spot noise of fibres: short, loose strokes.",
@@ -98,7 +102,7 @@ def rows(style):
     yield ["---"] * len(head)
     for layer in style["layers"]:
         field = layer["field"]
-        what = field.get("kind") or spaced(field.get("pattern", ""))
+        what = field.get("kind") or spaced(field.get("pattern", layer["type"]))
         yield [what, *(shown(layer[group].get(key)) for _, group, key in COLUMNS),
                ", ".join(others(field)), tone_text(layer["tone"]), ink_text(layer["ink"]),
                layer["ink"].get("blendMode", "over")]
@@ -108,7 +112,7 @@ def paper_text(style):
     paper = style["paper"]
     text = {"constant": "Paper `%s`" % paper.get("color", "#ffffff"), "surface": "On the lit surface",
             "flat": "On the surface's colours without light"}[paper.get("source", "constant")]
-    outline = style["outline"]
+    outline = style.get("outline", {})
     if outline.get("enabled"):
         return text + ", outline of %s in `%s`." % (length(outline["width"]), outline["color"])
     return text + ", no outline."
@@ -141,15 +145,16 @@ def page():
 HEAD = """# Cookbook
 
 Written by [cookbook.py](cookbook.py) from the styles in this folder. Layers stand in the order in which they are
-drawn; what is left out has its default. Styles from `gabor` on are made of noise, as in section 4 of Benard et al. 2010
-(*A Dynamic Noise Primitive for Coherent Stylization*). Their pictures:
+drawn; what is left out has its default. Styles whose name begins with `stipple` are made of dots that sit on the
+surface (Meruvia Pastor and Strothotte 2002, *Frame-Coherent Stippling*). Those from `gabor` on are made of noise, as in
+section 4 of Benard et al. 2010 (*A Dynamic Noise Primitive for Coherent Stylization*). Pictures of these:
 
 ![A skull in stipples, hatching and cross-hatching](../../Examples/Gallery/noise_styles-0.png)
 ![A skull in graphite, in washes of ink, and in blots with a dark rim](../../Examples/Gallery/noise_styles-1.png)
 ![The earth in watercolour, a heated disk in felt-tip, a skull in strokes of a brush](../../Examples/Gallery/noise_styles-2.png)
 
-- **size** is the mean distance of marks; **regularity**, the radius of a kernel over it, makes them loose or ruled;
-  **spread** turns them in all directions (90) or in one (0).
+- **size** is the mean distance of marks, of stipples their diameter; **regularity**, the radius of a kernel over it,
+  makes them loose or ruled; **spread** turns them in all directions (90) or in one (0).
 - **smoothness** is how softly they end. In **step** A to B, the tone rises from 0 at A to 1 at B: a narrow step makes
   flat washes whose edges the noise moves.
 - **ink**: "at" is its opacity. Inks mix in linear light. `multiply` of two black inks is the product of what they leave

@@ -25,7 +25,7 @@ constexpr int LargestPatches = 8192;
 const std::vector<LayerConfiguration>& knownLayers()
 {
   static const std::vector<LayerConfiguration> Layers = { { "image", "cross-hatch" },
-    { "noise", "gabor" } };
+    { "noise", "gabor" }, { "stipple", "stipple" } };
   return Layers;
 }
 

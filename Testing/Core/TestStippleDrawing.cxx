@@ -83,6 +83,26 @@ double inkOf(const std::vector<DrawnStipple>& drawn, double height)
   return sum / (4.0 * rows * columns * StippleCanvas::samplesPerPixel);
 }
 
+// Of a plane of `pixels` in the middle, all of it.
+double inkWithin(const std::vector<DrawnStipple>& drawn, double pixels)
+{
+  double sum = 0.0;
+  std::vector<StippleDisc> discs;
+  discs.reserve(drawn.size());
+  for (const DrawnStipple& stipple : drawn)
+  {
+    discs.push_back(stipple.disc);
+  }
+  StippleCanvas canvas;
+  std::vector<std::uint8_t> covered;
+  canvas.draw(discs, side, side, covered);
+  for (const std::uint8_t places : covered)
+  {
+    sum += places;
+  }
+  return sum / (pixels * pixels * StippleCanvas::samplesPerPixel);
+}
+
 const PlanePicture& manyStipples()
 {
   static const PlanePicture picture(40000);
@@ -141,6 +161,60 @@ TEST(StippleDrawing, WhereStipplesRunOutTheyGrow)
     const auto drawn = few.draw(PlanePicture::scene(side, 0.0, tone), StippleLook());
     EXPECT_NEAR(inkOf(drawn, side), tone, 0.02);
   }
+}
+
+TEST(StippleDrawing, InkIsTheToneAtAnyZoom)
+{
+  PlanePicture picture(1000);
+  for (const double zoom : { 0.125, 0.5, 2.0, 8.0, 64.0 })
+  {
+    for (const float tone : { 0.05f, 0.3f, 0.6f, 0.9f })
+    {
+      const double pixels = 300.0 * zoom;
+      const StippleScene scene = PlanePicture::scene(pixels, 0.0, tone);
+      std::vector<DrawnStipple> drawn;
+      EXPECT_TRUE(drawStipples(*picture.tree, StippleDrawing(scene, {}), true, drawn));
+      // A plane of few pixels is seen as a whole, where its ends would be.
+      const double ink = pixels < 200.0 ? inkWithin(drawn, pixels) : inkOf(drawn, pixels);
+      EXPECT_NEAR(ink, tone, 0.02) << zoom;
+    }
+  }
+}
+
+TEST(StippleDrawing, PicturesDoNotDependOnThoseBefore)
+{
+  const auto draw = [](PlanePicture& picture, double pixels)
+  {
+    std::map<std::uint64_t, float> radii;
+    std::vector<DrawnStipple> drawn;
+    const StippleScene scene = PlanePicture::scene(pixels, 0.4, 0.4f);
+    drawStipples(*picture.tree, StippleDrawing(scene, {}), true, drawn);
+    for (const DrawnStipple& stipple : drawn)
+    {
+      radii[picture.tree->identity(stipple.node, stipple.index)] = stipple.disc.radius;
+    }
+    return radii;
+  };
+  PlanePicture first(1000), second(1000);
+  const auto near = draw(first, 4000.0);
+  draw(second, 900.0);
+  draw(second, 17000.0);
+  EXPECT_EQ(draw(second, 4000.0), near);
+}
+
+TEST(StippleDrawing, WhereTheBudgetEndsStipplesGrow)
+{
+  PlanePicture picture(1000);
+  picture.tree->setBudget(1500000);
+  const StippleScene scene = PlanePicture::scene(3000.0, 0.0, 0.5f);
+  std::vector<DrawnStipple> drawn;
+  EXPECT_FALSE(drawStipples(*picture.tree, StippleDrawing(scene, {}), true, drawn));
+  EXPECT_LE(picture.tree->refinedMemory(), 1505000u);
+  EXPECT_NEAR(inkOf(drawn, side), 0.5, 0.03);
+  // What another view has spent is at hand again.
+  const StippleScene modest = PlanePicture::scene(400.0, 0.0, 0.1f);
+  EXPECT_TRUE(drawStipples(*picture.tree, StippleDrawing(modest, {}), true, drawn));
+  EXPECT_NEAR(inkOf(drawn, side), 0.1, 0.02);
 }
 
 TEST(StippleDrawing, ZoomingInAndDarkeningOnlyAdd)

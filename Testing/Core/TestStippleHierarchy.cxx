@@ -127,6 +127,28 @@ TEST(StippleHierarchy, ABeginningIsAShorterHierarchy)
   expectEqual(few, many, 300);
 }
 
+// Of the candidates of the last points only those are made that may be needed, by a guess of how
+// far gaps shrink: right on a plane, too early on a bar that looks like a line at first.
+TEST(StippleHierarchy, WhatTheLastPointsNeedIsMadeInTime)
+{
+  Surface bar;
+  addGrid(bar, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 2e-4, 0 }, 1);
+  for (const Surface& surface : { unitPlane(3), bar })
+  {
+    StippleOptions options;
+    options.count = 5000;
+    const StippleHierarchy many = stippleSurface(surface.mesh(), options);
+    ASSERT_EQ(many.points.size(), 5000u);
+    for (const std::int64_t count : { 1999, 2700, 3600 })
+    {
+      options.count = count;
+      const StippleHierarchy few = stippleSurface(surface.mesh(), options);
+      ASSERT_EQ(few.points.size(), static_cast<std::size_t>(count));
+      expectEqual(few, many, few.points.size());
+    }
+  }
+}
+
 TEST(StippleHierarchy, SpacingIsABoundThatFalls)
 {
   const Surface sphere = unitSphere(40);

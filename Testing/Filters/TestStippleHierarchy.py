@@ -59,7 +59,7 @@ def test_scan():
     surface = skull()
     corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     points = places(surface)
-    output = stipples(surface, 20000).GetOutput()
+    output = stipples(surface, 20000, GeneratePointIds=True).GetOutput()
     assert output.GetNumberOfPoints() == 20000 == output.GetNumberOfVerts()
     cells, ids = array(output, "StippleCell"), array(output, "StipplePointIds")
     assert (corners[cells] == ids).all()
@@ -81,12 +81,26 @@ def test_scan():
         assert 0.75 < distance.mean() / lattice < 1.0, distance.mean() / lattice
         assert distance.std() < 0.12 * distance.mean(), distance.std() / distance.mean()
 
-    assert output.GetActualMemorySize() * 1024 <= 72 * 20000, output.GetActualMemorySize()
+
+def test_memory():
+    """Bytes per stipple, in both outputs."""
+    sphere = vtkSphereSource()
+    sphere.SetThetaResolution(100)
+    sphere.SetPhiResolution(50)
+    sphere.Update()
+    for order, count, most in ((0, 100000, 52), (1, 1000000, 72)):
+        filter_ = stipples(sphere.GetOutput(), count, Order=order)
+        size = 1024 * sum(filter_.GetOutput(i).GetActualMemorySize() for i in range(2))
+        print("order", order, "bytes per stipple", size / count)
+        assert filter_.GetOutput().GetNumberOfPoints() == count
+        assert size <= most * count, size / count
+        assert not filter_.GetOutput().GetPointData().HasArray("StipplePointIds")
+        assert filter_.GetOutput(1).GetNumberOfPoints() == 0
 
 
 def test_classic():
     surface = skull()
-    filter_ = stipples(surface, 30000, Order=1)
+    filter_ = stipples(surface, 30000, Order=1, GenerateParticleMesh=True)
     output, mesh = filter_.GetOutput(0), filter_.GetOutput(1)
     assert output.GetNumberOfPoints() == 30000 == mesh.GetNumberOfPoints()
     offsets = vtk_to_numpy(output.GetFieldData().GetArray("StippleNeighbourOffsets"))
@@ -102,7 +116,8 @@ def test_classic():
     corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     assert len(corners) > 55000 and corners.max() == 29999
 
-    assert stipples(surface, 100).GetOutput(1).GetNumberOfPoints() == 0
+    plain = stipples(surface, 100, GenerateParticleMesh=True)
+    assert plain.GetOutput(1).GetNumberOfPoints() == 0
 
 
 def test_cells():
@@ -142,7 +157,7 @@ def test_blocks():
         plane.Update()
         blocks.SetBlock(i, plane.GetOutput())
     blocks.SetBlock(2, vtkPolyData())
-    output = stipples(blocks, 400).GetOutput()
+    output = stipples(blocks, 400, GeneratePointIds=True).GetOutput()
     block = array(output, "BlockIndex")
     assert set(block) == {1, 2} and 180 < (block == 1).sum() < 220
     assert ((places(output)[:, 2] > 1) == (block == 2)).all()
@@ -236,6 +251,7 @@ def test_abort():
 
 
 test_scan()
+test_memory()
 test_classic()
 test_cells()
 test_blocks()

@@ -85,22 +85,24 @@ def styles(representation):
 
 
 pattern = written("Pattern")
-noise = written("Noise")
+others = {representation: written(representation) for representation in ("Noise", "Stipple")}
 assert len(pattern) >= 60, len(pattern)
-assert len(noise) >= 40, len(noise)
-for representation, properties in ("Pattern", pattern), ("Noise", noise):
+for representation, least in ("Noise", 40), ("Stipple", 35):
+    assert len(others[representation]) >= least, (representation, len(others[representation]))
+for representation, properties in ("Pattern", pattern), *others.items():
     check_defaults(representation, properties)
     assert all(item["name"].startswith(representation) for item in properties), properties
     for proxy in PROXIES:
         check_proxy(proxy, representation, properties)
 
-# A property of Noise sets what it says, or is one of Pattern and the same in all but its name.
+# A property of Noise or Stipple sets what it says, or is one of Pattern and the same in all but its name.
 assert all(item["command"] == "Set" + item["name"] for item in pattern)
 named = {item["name"]: item for item in pattern}
-for item in noise:
-    stem = item["name"][len("Noise") :]
-    if item["command"] != "Set" + item["name"] and stem != "Style":
-        assert item == dict(named["Pattern" + stem], name=item["name"]), item
+for representation, properties in others.items():
+    for item in properties:
+        stem = item["name"][len(representation) :]
+        if item["command"] != "Set" + item["name"] and stem != "Style":
+            assert item == dict(named["Pattern" + stem], name=item["name"]), item
 
 # The table of the README names every property.
 readme_file = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../README.md")
@@ -116,4 +118,4 @@ with scene.Messages() as messages:
     scene.show(ball, where, PatternStyle="no such style")
     simple.Render(where)
 wanted = messages.text.split('"no such style"; expected one of ')[1].split(".")[0].split(", ")
-assert sorted(styles("Pattern") + styles("Noise")) == sorted(wanted), wanted
+assert sorted(styles("Pattern") + styles("Noise") + styles("Stipple")) == sorted(wanted), wanted

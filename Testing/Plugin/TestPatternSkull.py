@@ -12,7 +12,8 @@ import pattern_scene as scene
 from paraview import simple
 from paraview.vtk.vtkIOImage import vtkPNGReader
 
-STYLES = {"hatch": "Pattern", "cross-hatch": "Pattern", "halftone": "Pattern", "gabor": "Noise", "phasor": "Noise"}
+STYLES = {"hatch": "Pattern", "cross-hatch": "Pattern", "halftone": "Pattern", "gabor": "Noise", "phasor": "Noise",
+          "stipple": "Stipple"}
 # Mean difference from VTK in levels, and pixels that differ by more than 16. Depth ranges differ, so that
 # single pixels of outlines do; the same strokes half a pixel aside differ by 4 levels.
 MEAN = 0.1

@@ -120,6 +120,7 @@ def test_every_parameter_of_stipples_survives():
     layer.SetCarrier(layer.SIZE)
     layer.SetGrowth(1.0 / 3.0)
     layer.SetGrowthFrames(17)
+    layer.SetLife(3)
     layer.SetOrder(layer.CLASSIC)
     layer.SetNumberOfPoints(12345)
     layer.RefinementOff()
@@ -367,8 +368,8 @@ def test_presets():
     count = hachure.vtkPatternStyle.GetNumberOfPresets()
     names = [hachure.vtkPatternStyle.GetPresetName(i) for i in range(count)]
     assert names == [
-        "hatch", "cross-hatch", "halftone", "cmyk", "painterly", "paper", "gabor", "phasor", "spot",
-        "noise-stipple", "noise-hatch", "noise-cross-hatch", "graphite", "ink", "watercolour",
+        "hatch", "cross-hatch", "halftone", "cmyk", "painterly", "paper", "stipple", "stipple-white",
+        "stipple-two-inks", "gabor", "phasor", "spot", "noise-stipple", "noise-hatch", "noise-cross-hatch", "graphite", "ink", "watercolour",
         "felt-tip", "brush", "engraving"], names
     assert hachure.vtkPatternStyle.GetPresetName(count) is None
     assert hachure.vtkPatternStyle.GetDefaultPresetName() in names
@@ -383,8 +384,9 @@ def test_presets():
         if i < len(patterns):
             assert layer.GetPattern() == patterns[i], name
         else:
-            assert layer.GetTypeName() == "noise", name
-        assert style.GetOutline() == (name not in ("painterly", "brush")), name
+            assert layer.GetTypeName() == ("stipple" if name.startswith("stipple") else "noise"), name
+        without = name in ("painterly", "brush") or name.startswith("stipple")
+        assert style.GetOutline() != without, name
         texts.add(style.ToJson())
     assert len(texts) == len(names)
     expect_error(style.LoadPreset("dots"), 'unknown style "dots"', "hatch, cross-hatch, halftone, cmyk")
@@ -392,6 +394,7 @@ def test_presets():
 
 test_every_parameter_survives()
 test_every_parameter_of_noise_survives()
+test_every_parameter_of_stipples_survives()
 test_wrong_factors_of_noise()
 test_names_of_motions()
 test_absent_keys_are_defaults()

@@ -23,6 +23,8 @@ void vtkStippleLayer::DescribeField(hachure::StyleArchive& archive)
   archive.integer("numberOfPoints", this, &Self::GetNumberOfPoints, &Self::SetNumberOfPoints,
     { double(this->GetNumberOfPointsMinValue()), double(this->GetNumberOfPointsMaxValue()) });
   archive.boolean("refinement", this, &Self::GetRefinement, &Self::SetRefinement);
+  archive.integer("life", this, &Self::GetLife, &Self::SetLife,
+    { double(this->GetLifeMinValue()), double(this->GetLifeMaxValue()) });
   archive.integer("memoryBudget", this, &Self::GetMemoryBudget, &Self::SetMemoryBudget,
     { double(this->GetMemoryBudgetMinValue()), double(this->GetMemoryBudgetMaxValue()) });
 }
@@ -39,5 +41,6 @@ void vtkStippleLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Order: " << this->Order << "\n";
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
   os << indent << "Refinement: " << this->Refinement << "\n";
+  os << indent << "Life: " << this->Life << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
 }

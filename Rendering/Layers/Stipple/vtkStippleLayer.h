@@ -20,6 +20,13 @@
  * part that is seen, while Refinement is on, until they take MemoryBudget; then a warning says so,
  * and stipples are larger instead, so that the ink stays.
  *
+ * Stipples stay on a surface that deforms. Where it has other cells than in the last frame (an
+ * isosurface whose value changes, a time series), those of the progressive order go to the closest
+ * points of the new surface; the ones that still fit stay, gaps are filled, and what comes and goes
+ * grows and shrinks over Life such changes. A surface has its own ones in the first frame, where
+ * time goes backwards, where the mapper's input comes from elsewhere, and in the mode ANCHORED of
+ * vtkPatternStyle.
+ *
  * CLASSIC is the paper's way: edge collapses and splits order the points, and one is drawn where
  * the pictures of all edges to its relevant neighbours, which have been there when it was added,
  * are longer than a threshold (section 2.3.3). The paper leaves open how the threshold depends on
@@ -123,10 +130,19 @@ public:
   ///@}
 
   ///@{
-  /** Memory that all stipples of a surface may take, MiB; those made at first are kept in any case.
-   * Range 0 to 1048576, default 256. */
+  /** Memory that the stipples of a surface which Refinement makes may take, MiB. Where other views
+   * have spent most of it, those of that part are made anew, the same ones, when they are seen
+   * again. Range 0 to 1048576, default 256. */
   vtkSetClampMacro(MemoryBudget, int, 0, 1048576);
   vtkGetMacro(MemoryBudget, int);
+  ///@}
+
+  ///@{
+  /** Where the surface has other cells than before, the number of such changes over which stipples
+   * grow that were not there, and shrink that do not fit any more. 0: every surface has stipples of
+   * its own. Range 0 to 1000, default 8. */
+  vtkSetClampMacro(Life, int, 0, 1000);
+  vtkGetMacro(Life, int);
   ///@}
 
 #ifndef __VTK_WRAP__
@@ -150,6 +166,7 @@ private:
   int NumberOfPoints = 100000;
   bool Refinement = true;
   int MemoryBudget = 256;
+  int Life = 8;
 };
 
 #endif

@@ -105,17 +105,46 @@ void vtkStippleLayerPainter::Separate(const FieldScene& scene)
     });
 }
 
+// Those drawn from `first` on, of points of the base, by their shares.
+void vtkStippleLayerPainter::Fade(
+  const hachure::StippleTree& tree, const std::vector<float>& shares, std::size_t first)
+{
+  for (std::size_t i = first; !shares.empty() && i < this->Drawn.size(); ++i)
+  {
+    hachure::DrawnStipple& stipple = this->Drawn[i];
+    const std::uint64_t rank = tree.identity(stipple.node, stipple.index);
+    if (rank < shares.size())
+    {
+      stipple.disc.radius *= std::sqrt(shares[rank]);
+    }
+  }
+}
+
 void vtkStippleLayerPainter::FindStipples(
   const FieldScene& scene, const hachure::StippleScene& seen, const hachure::StippleLook& look)
 {
-  const std::shared_ptr<hachure::StippleTree> tree =
+  const int life = scene.History ? this->Layer->GetLife() : 0;
+  const std::shared_ptr<vtkPatternSurface::StippleSet> set =
     scene.Surface->Stipples({ hachure::StippleOrder::Progressive, this->Layer->GetSeed(),
-      this->Layer->GetNumberOfPoints() });
+      this->Layer->GetNumberOfPoints(), life });
+  hachure::StippleTree& tree = set->Tree;
   const hachure::StippleDrawing drawing(seen, look);
-  const bool refines = this->Layer->GetRefinement();
-  const bool enough = hachure::drawStipples(*tree, drawing, refines, this->Drawn);
-  this->Note = enough || !refines ? std::string()
-                                  : "stipples take all of the memory budget of " +
+  constexpr std::size_t bytesPerMiB = 1 << 20;
+  tree.setBudget(static_cast<std::size_t>(this->Layer->GetMemoryBudget()) * bytesPerMiB);
+  const bool refines = this->Layer->GetRefinement() && tree.canRefine();
+  const bool enough = hachure::drawStipples(tree, drawing, refines, this->Drawn);
+  this->Fade(tree, set->Living.shares, 0);
+  const std::size_t staying = this->Drawn.size();
+  if (!set->Living.leaving.empty())
+  {
+    std::vector<hachure::DrawnStipple> leaving;
+    hachure::drawStipples(set->Leaving, drawing, false, leaving);
+    this->Drawn.insert(this->Drawn.end(), leaving.begin(), leaving.end());
+    this->Fade(set->Leaving, set->Living.leavingShares, staying);
+  }
+  this->Note = enough || !refines
+    ? std::string()
+    : "stipples that views asked for take all of the memory budget of " +
       std::to_string(this->Layer->GetMemoryBudget()) +
       " MiB; where more would be needed they are drawn larger";
 }
@@ -123,8 +152,9 @@ void vtkStippleLayerPainter::FindStipples(
 void vtkStippleLayerPainter::FindClassicStipples(
   const FieldScene& scene, const hachure::StippleScene& seen, const hachure::StippleLook& look)
 {
-  const std::shared_ptr<hachure::StippleEdges> edges = scene.Surface->ClassicStipples(
-    { hachure::StippleOrder::Classic, this->Layer->GetSeed(), this->Layer->GetNumberOfPoints() });
+  const std::shared_ptr<hachure::StippleEdges> edges =
+    scene.Surface->ClassicStipples({ hachure::StippleOrder::Classic, this->Layer->GetSeed(),
+      this->Layer->GetNumberOfPoints(), 0 });
   const hachure::StippleEdgeTest test(seen, look);
   this->Note.clear();
   if (scene.StippleHistory && this->Layer->GetGrowthFrames() > 0)

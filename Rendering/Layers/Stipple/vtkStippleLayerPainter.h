@@ -47,6 +47,7 @@ private:
     const FieldScene& scene, const hachure::StippleScene& seen, const hachure::StippleLook& look);
   void FindClassicStipples(
     const FieldScene& scene, const hachure::StippleScene& seen, const hachure::StippleLook& look);
+  void Fade(const hachure::StippleTree& tree, const std::vector<float>& shares, std::size_t first);
   void Upload(const std::array<int, 4>& rectangle);
 
   vtkWeakPointer<vtkStippleLayer> Layer;

@@ -6,6 +6,8 @@
 #include "StippleTone.h"
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -92,17 +94,18 @@ StippleEdgeTest::Wanted StippleEdgeTest::wantedAt(
   const Place& place, float areaRatio, const StippleThresholds& thresholds) const
 {
   const auto diameter = static_cast<double>(this->look.diameter);
+  const auto growth = static_cast<float>(thresholds.growth());
   const float ink = std::clamp(this->scene.toneOf[this->toneAt(place.x, place.y)], 0.0f, 1.0f);
   const auto perPixel = static_cast<double>(place.perPixel * areaRatio); // of the reference
   if (!(ink > 0.0f) || !std::isfinite(perPixel))
   {
     return { diameter, endless };
   }
-  auto area = static_cast<double>(stippleClassicDiscArea(ink, place.facing));
+  auto area = static_cast<double>(stippleClassicDiscArea(ink, place.facing, growth));
   double magnified = 1.0;
   if (this->look.toneBySize)
   {
-    const auto most = static_cast<double>(stippleClassicDiscArea(1.0f, place.facing));
+    const auto most = static_cast<double>(stippleClassicDiscArea(1.0f, place.facing, growth));
     magnified = std::sqrt(area / most);
     area = most;
   }

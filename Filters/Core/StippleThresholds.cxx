@@ -99,6 +99,7 @@ StippleEdgeLengths::StippleEdgeLengths(
 }
 
 StippleThresholds::StippleThresholds(const StippleEdgeLengths& edges, double growth)
+  : ownGrowth(growth)
 {
   const std::vector<StippleEdgeLengths::Group>& groups = edges.groups();
   if (!(edges.area() > 0.0) || groups.empty())
@@ -150,8 +151,8 @@ double StippleThresholds::threshold(double density) const
   {
     return this->lengths.back();
   }
-  const double share = (density - this->densities[next - 1]) /
-    (this->densities[next] - this->densities[next - 1]);
+  const double share =
+    (density - this->densities[next - 1]) / (this->densities[next] - this->densities[next - 1]);
   return this->lengths[next - 1] + share * (this->lengths[next] - this->lengths[next - 1]);
 }
 

@@ -48,6 +48,7 @@ public:
   // threshold; 0: everywhere.
   StippleThresholds(const StippleEdgeLengths& lengths, double growth);
 
+  double growth() const { return this->ownGrowth; }
   // Densities are numbers of grown discs per area of the reference mesh: those that grow count with
   // their share of the area. The threshold of the highest density is the shortest.
   double highest() const { return this->densities.empty() ? 0.0 : this->densities.back(); }
@@ -55,6 +56,7 @@ public:
   double threshold(double density) const;
 
 private:
+  double ownGrowth;
   std::vector<double> densities; // rising
   std::vector<double> lengths;   // falling
 };

@@ -120,9 +120,13 @@ float stippleDiscArea(float tone, float facing)
   return valueAt(discAreas, placeOf(tone, tones, toneCount), facing);
 }
 
-float stippleClassicDiscArea(float tone, float facing)
+float stippleClassicDiscArea(float tone, float facing, float growth)
 {
-  return valueAt(classicDiscAreas, placeOf(tone, classicTones, classicToneCount), facing);
+  const float area =
+    valueAt(classicDiscAreas, placeOf(tone, classicTones, classicToneCount), facing);
+  // Measured with growths of .25 and 1.
+  const float less = 0.32f * std::min(growth, 1.0f);
+  return area - less * (area - tone);
 }
 
 float stippleEdgeCrowd(float facing)

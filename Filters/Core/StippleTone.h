@@ -26,7 +26,8 @@ float stippleMeanArea(float growth);
 // As stippleDiscArea, for classic stipples that are drawn where their shortest edge in the picture
 // is longer than a threshold, which is the same all over. They are spread less evenly, and overlap
 // more. Tone 1 has an ink of .993.
-float stippleClassicDiscArea(float tone, float facing);
+// growth: of stipples that grow with their edges, which overlap less; 0: all have the same size.
+float stippleClassicDiscArea(float tone, float facing, float growth);
 
 // How many of them there are per area of the picture, times the square of the threshold. The mean
 // of hierarchies with splits; in a single one it may be off by a tenth (StippleThresholds).

@@ -161,7 +161,7 @@ double thresholdOf(const StippleThresholds& thresholds, const StippleScene& scen
   const glm::dvec2 v = (glm::dvec2(projected(scene, place + glm::dvec3(0, step, 0))) - here) / step;
   const double magnification = std::abs(u.x * v.y - u.y * v.x);
   const auto facing = static_cast<float>(std::abs(glm::normalize(eye - place).z));
-  const double discs = stippleClassicDiscArea(scene.toneOf[0], facing) /
+  const double discs = stippleClassicDiscArea(scene.toneOf[0], facing, 0.0f) /
     (0.25 * std::acos(-1.0) * look.diameter * look.diameter);
   return thresholds.threshold(discs * magnification) *
     std::sqrt(magnification * stippleEdgeCrowd(facing) / stippleEdgeCrowd(1.0f));
@@ -208,7 +208,10 @@ TEST(StippleEdgeTest, InkIsTheToneForAnyGrowthAndBySize)
     StippleLook look;
     look.growth = growth;
     look.diameter = 4.0f;
-    EXPECT_NEAR(inkOf(drawnOf(manyEdges(), sceneOf(450, 0.0, 0.4f), look, false)), 0.4, 0.02);
+    for (const float tone : { 0.4f, 0.75f })
+    {
+      EXPECT_NEAR(inkOf(drawnOf(manyEdges(), sceneOf(450, 0.0, tone), look, false)), tone, 0.02);
+    }
   }
   StippleLook look;
   look.diameter = 6.0f;

@@ -20,6 +20,7 @@
 class vtkOpenGLRenderWindow;
 class vtkPatternCompositor;
 class vtkPatternNoiseHistory;
+class vtkPatternStippleHistory;
 class vtkPatternSurface;
 class vtkPatternWindowResources;
 
@@ -28,8 +29,10 @@ struct vtkPatternFieldStage
   vtkOpenGLRenderWindow* Window;
   vtkPatternWindowResources& Resources; // the attribute images of the surface
   vtkPatternSurface& Surface;
-  vtkPatternNoiseHistory* History; // null: nothing is remembered
-  bool LookOn;                     // what is remembered stays
+  vtkPatternNoiseHistory* History;          // null: nothing is remembered
+  vtkPatternStippleHistory* StippleHistory; // the same
+  bool LookOn;                              // what is remembered stays
+  bool SecondEye;                           // of one picture
   glm::dmat4 ModelToClip;
   std::array<int, 4> Viewport;  // x, y, width, height in the framebuffer
   std::array<int, 4> Rectangle; // that the attribute stage has drawn

@@ -282,6 +282,7 @@ private:
   void PeelTones(Drawing& drawing);
   void UploadPatchRecords(Drawing& drawing);
   class vtkPatternNoiseHistory* NoiseHistory(Drawing& drawing);
+  class vtkPatternStippleHistory* StippleHistory(Drawing& drawing);
   void UpdateSurface();
   bool DrawFields(Drawing& drawing, const glm::dmat4& modelToClip, bool forward);
   void StoreStipples(Drawing& drawing);

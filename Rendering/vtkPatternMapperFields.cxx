@@ -5,15 +5,28 @@
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkBoundingBox.h"
+#include "vtkCamera.h"
 #include "vtkNoiseBackEnd.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternFieldStage.h"
 #include "vtkPatternNoiseHistory.h"
+#include "vtkPatternStippleHistory.h"
 #include "vtkPatternStyle.h"
 #include "vtkPolyData.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
 #include <exception>
+
+namespace
+{
+bool IsSecondEye(vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  return window->GetStereoRender() && window->GetStereoType() != VTK_STEREO_RIGHT &&
+    !renderer->GetActiveCamera()->GetLeftEye();
+}
+} // namespace
 
 void vtkPatternMapper::UpdatePrimitiveIds(bool needed)
 {
@@ -71,6 +84,22 @@ vtkPatternNoiseHistory* vtkPatternMapper::NoiseHistory(Drawing& drawing)
   return &drawing.Track->Noise;
 }
 
+// The same.
+vtkPatternStippleHistory* vtkPatternMapper::StippleHistory(Drawing& drawing)
+{
+  if (this->TrackedMapper)
+  {
+    return nullptr;
+  }
+  if (this->Style->GetTrackingMode() == vtkPatternStyle::ANCHORED)
+  {
+    drawing.Track->Stipples.Forget();
+    return nullptr;
+  }
+  drawing.Track->Stipples.Keep(this->Style);
+  return &drawing.Track->Stipples;
+}
+
 // Returns whether all could be drawn.
 bool vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToClip, bool forward)
 {
@@ -95,8 +124,9 @@ bool vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToCli
   {
     this->UpdateSurface();
     const vtkPatternFieldStage stage = { drawing.Window, *drawing.Part.Resources,
-      this->Internal->Surface, this->NoiseHistory(drawing), drawing.Viewport.IsTile, modelToClip,
-      drawing.Viewport.Drawn, drawing.Rectangle, { center[0], center[1], center[2] }, backEnd,
+      this->Internal->Surface, this->NoiseHistory(drawing), this->StippleHistory(drawing),
+      drawing.Viewport.IsTile, IsSecondEye(drawing.Renderer), modelToClip, drawing.Viewport.Drawn,
+      drawing.Rectangle, { center[0], center[1], center[2] }, backEnd,
       vtkPatternViewContext::Get(drawing.Renderer)->GetFrameNumber(),
       [&]() -> const std::vector<vtkPatternTonePeel::Image>&
       {

@@ -88,6 +88,16 @@ std::vector<glm::dvec3> FiniteOf(std::vector<glm::dvec3> points)
     [](const glm::dvec3& p) { return !std::isfinite(p.x + p.y + p.z); }, glm::dvec3(0.0));
   return points;
 }
+
+hachure::StippleOptions OptionsOf(const vtkPatternSurface::StippleKey& key)
+{
+  hachure::StippleOptions options;
+  options.order = key.Order;
+  options.seed = key.Seed;
+  options.count = key.Count;
+  return options;
+}
+
 // Closed blocks that are inside out are turned.
 std::vector<glm::ivec3> OutwardTriangles(const hachure::SurfaceTriangles& surface)
 {
@@ -242,6 +252,10 @@ void vtkPatternSurface::Move()
   {
     stipples.second.Move({ this->Current->Positions, this->Current->Outward, {} });
   }
+  for (auto& stipples : this->Current->ClassicStipples)
+  {
+    stipples.second.setPositions(this->Current->Positions);
+  }
 }
 
 const std::vector<std::int32_t>& vtkPatternSurface::Facets()
@@ -337,19 +351,22 @@ void vtkPatternSurface::StippleSet::Move(const hachure::TriangleMesh& mesh)
   }
 }
 
-vtkPatternSurface::StippleSet vtkPatternSurface::MakeStipples(const StippleKey& key)
+const std::vector<glm::ivec3>& vtkPatternSurface::Outward()
 {
   State& state = *this->Current;
   if (state.Outward.empty())
   {
     state.Outward = OutwardTriangles(state.Surface);
   }
+  return state.Outward;
+}
+
+vtkPatternSurface::StippleSet vtkPatternSurface::MakeStipples(const StippleKey& key)
+{
+  State& state = *this->Current;
   const std::vector<glm::dvec3> first = FiniteOf(state.Surface.points);
-  const hachure::TriangleMesh mesh = { first, state.Outward, {} };
-  hachure::StippleOptions options;
-  options.order = key.Order;
-  options.seed = key.Seed;
-  options.count = key.Count;
+  const hachure::TriangleMesh mesh = { first, this->Outward(), {} };
+  const hachure::StippleOptions options = OptionsOf(key);
   hachure::StippleTreeOptions treeOptions;
   treeOptions.seed = key.Seed;
   hachure::LivingStipples living;
@@ -395,6 +412,21 @@ void vtkPatternSurface::ForgetStipples()
     const bool carried = !set->second.Living.shares.empty();
     set = carried ? state.Stipples.erase(set) : std::next(set);
   }
+}
+
+std::shared_ptr<hachure::StippleEdges> vtkPatternSurface::ClassicStipples(const StippleKey& key)
+{
+  State& state = *this->Current;
+  auto found = state.ClassicStipples.find(key);
+  if (found == state.ClassicStipples.end())
+  {
+    const std::vector<glm::dvec3> first = FiniteOf(state.Surface.points);
+    const hachure::TriangleMesh mesh = { first, this->Outward(), {} };
+    hachure::StippleEdges edges(mesh, hachure::stippleSurface(mesh, OptionsOf(key)));
+    edges.setPositions(state.Positions);
+    found = state.ClassicStipples.emplace(key, std::move(edges)).first;
+  }
+  return { this->Current, &found->second };
 }
 
 const vtkPatternSurfaceArray& vtkPatternSurface::Array(const std::string& name, int components)

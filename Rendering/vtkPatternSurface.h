@@ -9,6 +9,7 @@
 #define vtkPatternSurface_h
 
 #include "NoiseSurface.h"
+#include "StippleEdges.h"
 #include "StippleLife.h"
 #include "StippleTree.h"
 #include "SurfaceTriangles.h"
@@ -75,6 +76,7 @@ public:
     std::vector<double> Areas; // with ids: those of the first surface that had such a triangle
     std::map<std::uint32_t, hachure::NoiseSurface> Seeds;
     std::map<StippleKey, StippleSet> Stipples;
+    std::map<StippleKey, hachure::StippleEdges> ClassicStipples;
     std::vector<glm::ivec3> Outward; // triangles, those of closed blocks facing out; or empty
     std::shared_ptr<State> Before;   // surface that this one replaced, until it is replaced
     unsigned long Lineage = 0;       // the same for surfaces that come from one another
@@ -92,6 +94,8 @@ public:
   /// Stipples, where the surface is now; their normals point outward where it is closed. Owns the
   /// state.
   std::shared_ptr<StippleSet> Stipples(const StippleKey& key);
+  /// The same of those in the order Classic, with the edges to their relevant neighbours.
+  std::shared_ptr<hachure::StippleEdges> ClassicStipples(const StippleKey& key);
 
   /// Those carried from surfaces before.
   void ForgetStipples();
@@ -122,6 +126,7 @@ public:
 private:
   void Replace(vtkDataObject* input, const Source& source);
   void Identify(vtkDataObject* input);
+  const std::vector<glm::ivec3>& Outward();
   StippleSet MakeStipples(const StippleKey& key);
   void Move();
 

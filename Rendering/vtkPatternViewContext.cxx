@@ -215,6 +215,7 @@ void vtkPatternViewContext::Reanchor(vtkPatternMapper* mapper)
       track->Tracker.reanchor();
       track->KnownOctaves.clear();
       track->Noise.Forget();
+      track->Stipples.Forget();
       track->View = hachure::ViewProjection();
       track->Visibility.Forget();
     }

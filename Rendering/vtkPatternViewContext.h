@@ -20,6 +20,7 @@
 #include "vtkPatternFeatures.h"
 #include "vtkPatternNoiseHistory.h"
 #include "vtkPatternSamples.h"
+#include "vtkPatternStippleHistory.h"
 #include "vtkPatternVisibility.h"
 #include "vtkPatternWindowResources.h"
 #include "vtkSmartPointer.h"
@@ -77,6 +78,7 @@ public:
     LayerOctaves KnownOctaves;
     LayerOctaves Octaves;
     vtkPatternNoiseHistory Noise;
+    vtkPatternStippleHistory Stipples;
     std::string Problem; // with an array of the input, empty where there is none
   };
 

@@ -8,13 +8,10 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 
 namespace hachure
 {
@@ -29,33 +26,14 @@ constexpr int cellSide = 32;                 // pixels
 constexpr std::size_t facingCount = 39;
 constexpr float leastFacing = 0.05f;
 constexpr float facingStep = (1.0f - leastFacing) / (facingCount - 1);
-constexpr float leastRadius = 0.03f; // pixels: less than a quarter of a place of the canvas
 constexpr float leastNumber = 1e-30f;
-constexpr float backTolerance = 0.15f; // over that of fronts
-
-void require(bool isGood, const char* name, double value, const char* expected)
-{
-  if (!isGood || !std::isfinite(value))
-  {
-    std::string message(name);
-    message.append(" is ").append(std::to_string(value)).append(", expected ").append(expected);
-    throw std::invalid_argument(message);
-  }
-}
 
 NoiseKernelOptions reachOf(const StippleLook& look)
 {
-  require(look.diameter > 0.0f, "look.diameter", look.diameter, "more than 0");
-  require(look.growth > 0.0f, "look.growth", look.growth, "more than 0");
+  checkStippleLook(look);
   NoiseKernelOptions options;
   options.radius = 0.5 * look.diameter;
   return options;
-}
-
-double largestOf(const glm::dvec4& row)
-{
-  const glm::dvec4 size = glm::abs(row);
-  return std::max(std::max(size.x, size.y), std::max(size.z, size.w));
 }
 
 double at(const glm::dvec4& row, const glm::dvec3& point)
@@ -100,86 +78,14 @@ float heldAround(const StippleTree& tree, std::int32_t node, const glm::dvec3& p
 
 } // namespace
 
-// Of the matrix to clip space, for places from an origin. The picture of a small piece of surface
-// of normal n at p is n . (toViewer + turn p) / w^3 large, where the vector points to the viewer:
-// see SampleProjection.
-struct StippleDrawing::Rows
-{
-  glm::vec4 x, y, z, w;
-  glm::vec3 toViewer;
-  float turn;
-};
-
-// Of a stipple in the picture.
-struct StippleDrawing::Place
-{
-  float x, y, depth;
-  glm::vec2 slope; // of depth
-  float tolerance;
-};
-
 StippleDrawing::StippleDrawing(const StippleScene& someScene, const StippleLook& someLook)
-  : scene(someScene)
+  : StipplePicture(someScene)
   , look(someLook)
   , reach(reachOf(someLook))
   , projection(someScene.view, this->reach)
 {
-  checkNoiseView(this->scene.view);
-  const std::array<int, 4>& part = this->scene.rectangle;
-  require(part[2] >= 0, "scene.rectangle[2]", part[2], "0 or more");
-  require(part[3] >= 0, "scene.rectangle[3]", part[3], "0 or more");
-  require(this->scene.toneStride >= 1, "scene.toneStride", this->scene.toneStride, "1 or more");
-  const std::size_t pixels = static_cast<std::size_t>(part[2]) * static_cast<std::size_t>(part[3]);
-  require(this->scene.depth.empty() || this->scene.depth.size() == pixels, "scene.depth.size()",
-    static_cast<double>(this->scene.depth.size()), "one for every pixel, or none");
-  require(this->scene.tones.empty() ||
-      this->scene.tones.size() + static_cast<std::size_t>(this->scene.toneStride) >
-        pixels * static_cast<std::size_t>(this->scene.toneStride),
-    "scene.tones.size()", static_cast<double>(this->scene.tones.size()),
-    "one for every pixel, or none");
-
-  const glm::dmat4 rows = glm::transpose(this->scene.view.modelToClip);
-  const glm::dvec2 half = 0.5 * this->scene.view.viewportSize;
-  const glm::dvec2 middle = this->scene.view.viewportOrigin + half - glm::dvec2(part[0], part[1]);
-  this->rowX = half.x * rows[0] + middle.x * rows[3];
-  this->rowY = half.y * rows[1] + middle.y * rows[3];
-  this->rowZ = rows[2];
-  this->rowW = rows[3];
-  const glm::dvec3 x(this->rowX), y(this->rowY), w(this->rowW);
-  const double volume = glm::dot(x, glm::cross(y, w));
-  const glm::dvec3 parallel = this->rowW.w * glm::cross(x, y) + this->rowX.w * glm::cross(y, w) +
-    this->rowY.w * glm::cross(w, x);
-  const bool isPerspective = glm::dot(w, w) > 0.0;
-  const bool away = isPerspective ? volume > 0.0 : glm::dot(glm::dvec3(this->rowZ), parallel) > 0.0;
-  this->towardViewer = away ? -1.0 : 1.0;
   this->tabulateCrowds();
   this->findCellCrowds();
-}
-
-StippleDrawing::Rows StippleDrawing::rowsAt(const glm::dvec3& origin) const
-{
-  glm::dvec4 x(glm::dvec3(this->rowX), at(this->rowX, origin));
-  glm::dvec4 y(glm::dvec3(this->rowY), at(this->rowY, origin));
-  glm::dvec4 z(glm::dvec3(this->rowZ), at(this->rowZ, origin));
-  glm::dvec4 w(glm::dvec3(this->rowW), at(this->rowW, origin));
-  // Cubes of lengths of any unit would not fit into single precision; all that counts are
-  // quotients.
-  const double scale = 1.0 / std::max({ largestOf(x), largestOf(y), largestOf(w), 1e-300 });
-  x *= scale;
-  y *= scale;
-  z *= scale;
-  w *= scale;
-  Rows rows;
-  rows.x = glm::vec4(x);
-  rows.y = glm::vec4(y);
-  rows.z = glm::vec4(z);
-  rows.w = glm::vec4(w);
-  const glm::dvec3 yw = glm::cross(glm::dvec3(y), glm::dvec3(w));
-  const glm::dvec3 wx = glm::cross(glm::dvec3(w), glm::dvec3(x));
-  const glm::dvec3 xy = glm::cross(glm::dvec3(x), glm::dvec3(y));
-  rows.toViewer = this->towardViewer * (w.w * xy + x.w * yw + y.w * wx);
-  rows.turn = static_cast<float>(this->towardViewer * glm::dot(glm::dvec3(x), yw));
-  return rows;
 }
 
 void StippleDrawing::tabulateCrowds()
@@ -337,53 +243,6 @@ HACHURE_WIDE_CLONES std::uint32_t StippleDrawing::candidates(
   return bits;
 }
 
-std::size_t StippleDrawing::toneAt(float x, float y) const
-{
-  if (this->scene.tones.empty())
-  {
-    return 0;
-  }
-  const std::array<int, 4>& part = this->scene.rectangle;
-  const int column = std::clamp(static_cast<int>(std::floor(x)), 0, part[2] - 1);
-  const int row = std::clamp(static_cast<int>(std::floor(y)), 0, part[3] - 1);
-  const std::size_t pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(part[2]) +
-    static_cast<std::size_t>(column);
-  return this->scene.tones[pixel * static_cast<std::size_t>(this->scene.toneStride)];
-}
-
-// Whether something is in front of the stipple's plane at a pixel.
-bool StippleDrawing::isHiddenAt(int column, int row, const Place& place) const
-{
-  const std::array<int, 4>& part = this->scene.rectangle;
-  const int inColumn = std::clamp(column, 0, part[2] - 1);
-  const int inRow = std::clamp(row, 0, part[3] - 1);
-  const float seen =
-    this->scene.depth[static_cast<std::size_t>(inRow) * static_cast<std::size_t>(part[2]) +
-      static_cast<std::size_t>(inColumn)];
-  const float own = place.depth + place.slope.x * (static_cast<float>(inColumn) + 0.5f - place.x) +
-    place.slope.y * (static_cast<float>(inRow) + 0.5f - place.y);
-  return own > seen + place.tolerance;
-}
-
-// Of the four pixels around the stipple, as near as they are: where an edge passes over it, it
-// shrinks instead of going out at once.
-float StippleDrawing::visibleShare(const Place& place) const
-{
-  if (this->scene.depth.empty())
-  {
-    return 1.0f;
-  }
-  const float left = std::floor(place.x - 0.5f), bottom = std::floor(place.y - 0.5f);
-  const float right = place.x - 0.5f - left, above = place.y - 0.5f - bottom;
-  const int column = static_cast<int>(left), row = static_cast<int>(bottom);
-  float share = 1.0f;
-  share -= this->isHiddenAt(column, row, place) ? (1.0f - right) * (1.0f - above) : 0.0f;
-  share -= this->isHiddenAt(column + 1, row, place) ? right * (1.0f - above) : 0.0f;
-  share -= this->isHiddenAt(column, row + 1, place) ? (1.0f - right) * above : 0.0f;
-  share -= this->isHiddenAt(column + 1, row + 1, place) ? right * above : 0.0f;
-  return share;
-}
-
 bool StippleDrawing::finish(
   const Rows& rows, const StippleTree& tree, const Task& task, DrawnStipple& stipple) const
 {
@@ -391,53 +250,35 @@ bool StippleDrawing::finish(
   const std::int32_t index = stipple.index;
   const glm::vec3 from(node.place(0)[index], node.place(1)[index], node.place(2)[index]);
   const glm::vec3 normal(node.normal(0)[index], node.normal(1)[index], node.normal(2)[index]);
-  const glm::vec3 view = rows.toViewer + rows.turn * from;
-  const float area = glm::dot(view, normal);
-  const float w = glm::dot(glm::vec3(rows.w), from) + rows.w.w;
-  const float z = (glm::dot(glm::vec3(rows.z), from) + rows.z.w) / w;
-  if (!(std::abs(z) <= 1.0f))
+  Place place;
+  if (!locate(rows, from, normal, place))
   {
     return false;
   }
-  Place place;
-  place.x = (glm::dot(glm::vec3(rows.x), from) + rows.x.w) / w;
-  place.y = (glm::dot(glm::vec3(rows.y), from) + rows.y.w) / w;
-  const float facing = std::abs(area) / (glm::length(view) + leastNumber);
   const std::size_t tone = this->toneAt(place.x, place.y);
-  float crowd = this->crowdAt(tone, facing);
+  float crowd = this->crowdAt(tone, place.facing);
   float diameter = this->look.diameter;
   if (this->look.toneBySize)
   {
-    const float most = this->crowdAt(fullTone, facing);
+    const float most = this->crowdAt(fullTone, place.facing);
     diameter *= std::sqrt(crowd / most);
     crowd = most;
   }
   // Where there are not enough stipples, they are larger: the same picture, magnified.
-  const float perPixel = w * w * w / std::abs(area); // area of surface
   if (task.lacks)
   {
-    const float there = heldAround(tree, task.node, node.origin + glm::dvec3(from)) * perPixel;
+    const float there =
+      heldAround(tree, task.node, node.origin + glm::dvec3(from)) * place.perPixel;
     diameter *= std::sqrt(std::max(1.0f, crowd / there));
     crowd = std::min(crowd, there);
   }
-  const float grown = stippleGrowth(crowd / (node.density()[index] * perPixel), this->look.growth);
+  const float grown =
+    stippleGrowth(crowd / (node.density()[index] * place.perPixel), this->look.growth);
   if (!(0.5f * diameter * grown > leastRadius))
   {
     return false;
   }
-  // Depth on the stipple's plane: n.p is constant there.
-  const glm::vec3 axisX = glm::vec3(rows.x) - place.x * glm::vec3(rows.w);
-  const glm::vec3 axisY = glm::vec3(rows.y) - place.y * glm::vec3(rows.w);
-  const glm::vec3 axisZ = glm::vec3(rows.z) - z * glm::vec3(rows.w);
-  const float volume = glm::dot(normal, glm::cross(axisX, axisY));
-  const float inverse = volume != 0.0f ? 1.0f / volume : 0.0f;
-  place.slope.x = 0.5f * inverse * glm::dot(normal, glm::cross(axisZ, axisY));
-  place.slope.y = 0.5f * inverse * glm::dot(normal, glm::cross(axisX, axisZ));
-  place.depth = 0.5f * z + 0.5f;
-  // Where the back of a thin sheet is seen, its stipples are on what is seen, and where its front
-  // is, those of the back are behind it.
-  place.tolerance = (area > 0.0f ? 1.0f : backTolerance) *
-    (this->scene.depthPerPixel + 0.5f * (std::abs(place.slope.x) + std::abs(place.slope.y)));
+  this->setDepth(rows, normal, place);
   const float radius = 0.5f * diameter * grown * this->visibleShare(place);
   stipple.disc = { place.x, place.y, radius };
   stipple.nearest = place.depth - place.tolerance;

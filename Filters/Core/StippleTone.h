@@ -23,6 +23,20 @@ float stippleGrowth(float wanted, float growth);
 // Mean area of the discs at any density over that of grown ones.
 float stippleMeanArea(float growth);
 
+// As stippleDiscArea, for classic stipples that are drawn where their shortest edge in the picture
+// is longer than a threshold, which is the same all over. They are spread less evenly, and overlap
+// more. Tone 1 has an ink of .993.
+// growth: of stipples that grow with their edges, which overlap less; 0: all have the same size.
+float stippleClassicDiscArea(float tone, float facing, float growth);
+
+// How many of them there are per area of the picture, times the square of the threshold. The mean
+// of hierarchies with splits; in a single one it may be off by a tenth (StippleThresholds).
+float stippleEdgeCrowd(float facing);
+
+// There are fewer by this share, 0 to 1, where nearly all of a hierarchy's stipples are drawn: of
+// those that the tilt would let in, some have not been made. used: the density over the highest.
+float stippleEdgeLack(float facing, float used);
+
 // Stipples per square of a grown disc's diameter that make the tone.
 float stippleCrowd(float tone, float facing, float growth);
 

@@ -25,6 +25,7 @@
 class vtkOpenGLRenderWindow;
 class vtkPatternLayer;
 class vtkPatternNoiseHistory;
+class vtkPatternStippleHistory;
 class vtkPatternSurface;
 class vtkShaderProgram;
 class vtkTextureObject;
@@ -82,8 +83,10 @@ public:
   struct FieldScene
   {
     vtkPatternSurface* Surface;
-    vtkPatternNoiseHistory* History; // of it in this renderer; null: nothing is remembered
-    bool LookOn;                     // what is remembered stays
+    vtkPatternNoiseHistory* History;          // of it in this renderer; null: nothing is remembered
+    vtkPatternStippleHistory* StippleHistory; // the same
+    bool LookOn;                              // what is remembered stays
+    bool SecondEye;                           // of one picture
     glm::dmat4 ModelToClip;
     std::array<int, 4> Viewport;  // x, y, width, height in the framebuffer
     std::array<int, 4> Rectangle; // that is drawn

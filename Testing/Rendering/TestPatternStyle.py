@@ -119,13 +119,16 @@ def test_every_parameter_of_stipples_survives():
     layer.SetSizeUnit(layer.MILLIMETRES)
     layer.SetCarrier(layer.SIZE)
     layer.SetGrowth(1.0 / 3.0)
+    layer.SetGrowthFrames(17)
+    layer.SetLife(3)
     layer.SetOrder(layer.CLASSIC)
     layer.SetNumberOfPoints(12345)
     layer.RefinementOff()
-    layer.SetMemoryBudget(7)
+    layer.SetMemoryBudget(77)
     style.AddLayer(layer)
     copy = new_style()
     assert copy.FromJson(style.ToJson()), errors
+    assert '"growthFrames": 17' in " ".join(style.ToJson().split()).replace('" :', '":')
     mine, default = values(layer), values(hachure.vtkStippleLayer())
     assert mine == values(copy.GetLayer(0)), (mine, values(copy.GetLayer(0)))
     same = [n for n in mine if mine[n] == default[n]]

@@ -17,6 +17,8 @@ void vtkStippleLayer::DescribeField(hachure::StyleArchive& archive)
   archive.choice("carrier", this, &Self::GetCarrier, &Self::SetCarrier, { "density", "size" });
   archive.number("growth", this, &Self::GetGrowth, &Self::SetGrowth,
     { this->GetGrowthMinValue(), this->GetGrowthMaxValue() });
+  archive.integer("growthFrames", this, &Self::GetGrowthFrames, &Self::SetGrowthFrames,
+    { double(this->GetGrowthFramesMinValue()), double(this->GetGrowthFramesMaxValue()) });
   archive.choice("order", this, &Self::GetOrder, &Self::SetOrder, { "progressive", "classic" });
   archive.integer("numberOfPoints", this, &Self::GetNumberOfPoints, &Self::SetNumberOfPoints,
     { double(this->GetNumberOfPointsMinValue()), double(this->GetNumberOfPointsMaxValue()) });
@@ -35,6 +37,7 @@ void vtkStippleLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SizeUnit: " << this->SizeUnit << "\n";
   os << indent << "Carrier: " << this->Carrier << "\n";
   os << indent << "Growth: " << this->Growth << "\n";
+  os << indent << "GrowthFrames: " << this->GrowthFrames << "\n";
   os << indent << "Order: " << this->Order << "\n";
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
   os << indent << "Refinement: " << this->Refinement << "\n";

@@ -27,9 +27,13 @@
  * time goes backwards, where the mapper's input comes from elsewhere, and in the mode ANCHORED of
  * vtkPatternStyle.
  *
- * CLASSIC is the paper's way: edge collapses and splits order the points, one is drawn where the
- * picture of every edge to a relevant neighbour is longer than the threshold of the tone, and it
- * grows from frame to frame. It has NumberOfPoints, and no refinement.
+ * CLASSIC is the paper's way: edge collapses and splits order the points, and one is drawn where
+ * the pictures of all edges to its relevant neighbours, which have been there when it was added,
+ * are longer than a threshold (section 2.3.3). The paper leaves open how the threshold depends on
+ * the tone; here it has been measured, so that the ink is the tone. Stipples grow and shrink from
+ * frame to frame (GrowthFrames): what is drawn depends on the frames before, but a still picture
+ * comes to rest. There are NumberOfPoints, and no refinement: where they do not suffice, stipples
+ * are larger.
  *
  * Translucent surfaces have stipples where they are seen first, and an even tone behind.
  *
@@ -88,9 +92,22 @@ public:
   ///@{
   /** How slowly stipples grow: they are grown where stipples are by this share closer than where
    * they come in. Range 0.01 (at once) to 4 (all sizes at any time), default 0.25. CLASSIC: where
-   * their shortest edge is by this share longer than the threshold. */
+   * their shortest edge is by this share longer than the threshold, with GrowthFrames 0. */
   vtkSetClampMacro(Growth, double, 0.01, 4.0);
   vtkGetMacro(Growth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Frames in which a CLASSIC stipple grows to its full size when it is set, and shrinks to nothing
+   * when it is unset (section 2.5). Every renderer has its own count. Only frames that are drawn as
+   * a whole count: no tiles, second eyes or stand-ins of lower detail. Stipples that come into view
+   * have grown, as all have in the first picture, and on a surface of other cells. 0: no frame
+   * counts, and the size is a function of the picture alone, by Growth; so are all pictures of a
+   * style in mode ANCHORED. Range 0 to 1000, default 8.
+   */
+  vtkSetClampMacro(GrowthFrames, int, 0, 1000);
+  vtkGetMacro(GrowthFrames, int);
   ///@}
 
   ///@{
@@ -144,6 +161,7 @@ private:
   int SizeUnit = PIXELS;
   int Carrier = DENSITY;
   double Growth = 0.25;
+  int GrowthFrames = 8;
   int Order = PROGRESSIVE;
   int NumberOfPoints = 100000;
   bool Refinement = true;

@@ -4,9 +4,11 @@
 
 #include "Kernels.h"
 #include "Parallel.h"
+#include "StippleEdgeTest.h"
 #include "StippleLayer.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternShaderText.h"
+#include "vtkPatternStippleHistory.h"
 #include "vtkPatternSurface.h"
 #include "vtkPatternToneCurve.h"
 #include "vtkShaderProgram.h"
@@ -118,28 +120,14 @@ void vtkStippleLayerPainter::Fade(
   }
 }
 
-void vtkStippleLayerPainter::Draw(
-  const FieldScene& scene, int channel, hachure::Span<const float> depth)
+void vtkStippleLayerPainter::FindStipples(
+  const FieldScene& scene, const hachure::StippleScene& seen, const hachure::StippleLook& look)
 {
-  const auto order = this->Layer->GetOrder() == vtkStippleLayer::CLASSIC
-    ? hachure::StippleOrder::Classic
-    : hachure::StippleOrder::Progressive;
   const int life = scene.History ? this->Layer->GetLife() : 0;
-  const std::shared_ptr<vtkPatternSurface::StippleSet> set = scene.Surface->Stipples(
-    { order, this->Layer->GetSeed(), this->Layer->GetNumberOfPoints(), life });
+  const std::shared_ptr<vtkPatternSurface::StippleSet> set =
+    scene.Surface->Stipples({ hachure::StippleOrder::Progressive, this->Layer->GetSeed(),
+      this->Layer->GetNumberOfPoints(), life });
   hachure::StippleTree& tree = set->Tree;
-  hachure::StippleScene seen;
-  seen.view.modelToClip = scene.ModelToClip;
-  seen.view.viewportOrigin = { scene.Viewport[0], scene.Viewport[1] };
-  seen.view.viewportSize = { scene.Viewport[2], scene.Viewport[3] };
-  seen.rectangle = scene.Rectangle;
-  seen.depth = depth;
-  seen.depthPerPixel = scene.DepthPerPixel;
-  this->SetTones(scene, channel, seen);
-  hachure::StippleLook look;
-  look.diameter = static_cast<float>(this->Diameter);
-  look.growth = static_cast<float>(this->Layer->GetGrowth());
-  look.toneBySize = this->Layer->GetCarrier() == vtkStippleLayer::SIZE;
   const hachure::StippleDrawing drawing(seen, look);
   constexpr std::size_t bytesPerMiB = 1 << 20;
   tree.setBudget(static_cast<std::size_t>(this->Layer->GetMemoryBudget()) * bytesPerMiB);
@@ -159,6 +147,50 @@ void vtkStippleLayerPainter::Draw(
     : "stipples that views asked for take all of the memory budget of " +
       std::to_string(this->Layer->GetMemoryBudget()) +
       " MiB; where more would be needed they are drawn larger";
+}
+
+void vtkStippleLayerPainter::FindClassicStipples(
+  const FieldScene& scene, const hachure::StippleScene& seen, const hachure::StippleLook& look)
+{
+  const std::shared_ptr<hachure::StippleEdges> edges =
+    scene.Surface->ClassicStipples({ hachure::StippleOrder::Classic, this->Layer->GetSeed(),
+      this->Layer->GetNumberOfPoints(), 0 });
+  const hachure::StippleEdgeTest test(seen, look);
+  this->Note.clear();
+  if (scene.StippleHistory && this->Layer->GetGrowthFrames() > 0)
+  {
+    scene.StippleHistory->Draw(
+      this->Layer, edges, test, { scene.Frame, scene.LookOn || scene.SecondEye }, this->Drawn);
+  }
+  else
+  {
+    test.draw(*edges, this->Drawn);
+  }
+}
+
+void vtkStippleLayerPainter::Draw(
+  const FieldScene& scene, int channel, hachure::Span<const float> depth)
+{
+  hachure::StippleScene seen;
+  seen.view.modelToClip = scene.ModelToClip;
+  seen.view.viewportOrigin = { scene.Viewport[0], scene.Viewport[1] };
+  seen.view.viewportSize = { scene.Viewport[2], scene.Viewport[3] };
+  seen.rectangle = scene.Rectangle;
+  seen.depth = depth;
+  seen.depthPerPixel = scene.DepthPerPixel;
+  this->SetTones(scene, channel, seen);
+  hachure::StippleLook look;
+  look.diameter = static_cast<float>(this->Diameter);
+  look.growth = static_cast<float>(this->Layer->GetGrowth());
+  look.toneBySize = this->Layer->GetCarrier() == vtkStippleLayer::SIZE;
+  if (this->Layer->GetOrder() == vtkStippleLayer::CLASSIC)
+  {
+    this->FindClassicStipples(scene, seen, look);
+  }
+  else
+  {
+    this->FindStipples(scene, seen, look);
+  }
   this->Discs.clear();
   this->Discs.reserve(this->Drawn.size());
   for (const hachure::DrawnStipple& stipple : this->Drawn)

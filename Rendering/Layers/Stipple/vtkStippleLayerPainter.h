@@ -43,6 +43,10 @@ private:
   void SetTones(const FieldScene& scene, int channel, hachure::StippleScene& stipples);
   void Separate(const FieldScene& scene);
   void Draw(const FieldScene& scene, int channel, hachure::Span<const float> depth);
+  void FindStipples(
+    const FieldScene& scene, const hachure::StippleScene& seen, const hachure::StippleLook& look);
+  void FindClassicStipples(
+    const FieldScene& scene, const hachure::StippleScene& seen, const hachure::StippleLook& look);
   void Fade(const hachure::StippleTree& tree, const std::vector<float>& shares, std::size_t first);
   void Upload(const std::array<int, 4>& rectangle);
 

@@ -1,10 +1,6 @@
 # SPDX-FileCopyrightText: Hachure contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stipples do not depend on the triangles: stipple_refined.py [FILE.png]
-
-A ring of 144 triangles, its stipples, those of a sixteenth of the picture, and the particle mesh of the
-paper's own order.
-"""
+"""A mesh, its stipples, 16 times as large, and the particles of the classic order: stipple_refined.py [FILE.png]"""
 
 import hachure
 import vtk
@@ -37,7 +33,6 @@ def stipples(mesh):
 
 
 def lines(mesh):
-    """The edges of its triangles; those behind are hidden."""
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputData(mesh)
     mapper.ScalarVisibilityOff()
@@ -56,10 +51,10 @@ def particles(mesh):
 
 def drawn(mapper, larger=1):
     sheet = Sheet(WIDTH, HEIGHT)
-    actor = sheet.add(mapper)
+    look = sheet.add(mapper).GetProperty()
     if not hasattr(mapper, "GetStyle"):
-        actor.GetProperty().EdgeVisibilityOn()
-        actor.GetProperty().LightingOff()
+        look.EdgeVisibilityOn()
+        look.LightingOff()
     sheet.look((0, -5, 5), (0, 0, 0), angle=23)
     if larger > 1:
         sheet.camera.SetWindowCenter(*(larger * (2 * part - 1) for part in PLACE))

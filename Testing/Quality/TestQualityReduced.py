@@ -37,6 +37,7 @@ STIPPLE_BOIL = {"translate": (0.016, 0.001), "rotate": (0.016, 0.003), "roll": (
 STIPPLE_OCTAVE_BOIL = 0.14
 STIPPLE_POP = 1.4
 STIPPLE_CONTRAST = 0.05
+STIPPLE_SLOPE = 0.35  # where the surface turns away, dots join to short lines, which are coarser
 STIPPLE_FLICKER = 0.015
 
 
@@ -172,7 +173,7 @@ def check_stipples(rows):
         assert found["SlideRatio"] <= STIPPLE_SLIDE, (clip, found)
         assert found["ToneFlicker"] <= STIPPLE_FLICKER, (clip, found)
         assert abs(found["Contrast"] - 1) <= STIPPLE_CONTRAST, (clip, found)
-        assert abs(found["FacingSlope"]) <= SLOPE, (clip, found)
+        assert abs(found["FacingSlope"]) <= STIPPLE_SLOPE, (clip, found)
     found = stipple_values(rows, "sphere", "octave")
     assert found["SlideRatio"] <= STIPPLE_SLIDE and found["Pop"] <= STIPPLE_POP, found
     assert found["BoilLargest"] <= STIPPLE_OCTAVE_BOIL and found["ToneFlicker"] <= STIPPLE_FLICKER, found

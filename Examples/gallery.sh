@@ -62,7 +62,8 @@ PYTHONPATH="$package" /usr/bin/python3 Examples/Python/first_picture.py "$galler
 echo "$gallery/first-picture.png"
 
 # The figures of the paper; some print how far patterns slide.
-for figure in travelling patches elongated painting table skulls landscape engraving; do
+for figure in travelling patches elongated painting table skulls landscape engraving \
+  stipple_light stipple_moving stipple_refined stipple_uncertainty; do
   PYTHONPATH="$package" /usr/bin/python3 "Examples/Figures/$figure.py" "$gallery/$figure.png"
   echo "$gallery/$figure.png"
 done

@@ -65,10 +65,10 @@ class Sheet:
         return light.reshape(height // SCALE, SCALE, width // SCALE, SCALE, 3).mean(axis=(1, 3))
 
 
-def save(pictures, default):
+def save(pictures, default, levels=LEVELS):
     """Writes rows of pictures, the first row on top, to the file named on the command line."""
     light = numpy.vstack([numpy.hstack(row) for row in reversed(pictures)])
-    values = (255 * numpy.round(LEVELS * light ** (1 / GAMMA)) / LEVELS).astype(numpy.uint8)
+    values = (255 * numpy.round(levels * light ** (1 / GAMMA)) / levels).astype(numpy.uint8)
     if (numpy.ptp(values, axis=2) == 0).all():
         values = values[..., :1]
     image = vtk.vtkImageData()

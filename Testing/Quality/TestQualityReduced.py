@@ -29,6 +29,16 @@ NOISE_POP = 2.0
 # The field "calm" keeps all of these at once on sphere and ellipsoid.
 CALM_SLIDE, CALM_CONTRAST = 0.02, 0.03
 CALM_BOIL = {"translate": 0.001, "rotate": 0.001, "zoom": 0.002}
+# Stipples are points of the surface. Largest boil of small ones and of large ones: dots of 2.4 pixels are
+# other pixels wherever they move (0.012); in zooms and under a light others come in all the time, evenly.
+STIPPLE_SLIDE, STIPPLE_DEFORMED_SLIDE = 0.02, 0.04
+STIPPLE_BOIL = {"translate": (0.016, 0.001), "rotate": (0.016, 0.003), "roll": (0.016, 0.001),
+                "zoom": (0.085, 0.025), "light": (0.1, 0.01)}
+STIPPLE_OCTAVE_BOIL = 0.14
+STIPPLE_POP = 1.4
+STIPPLE_CONTRAST = 0.05
+STIPPLE_SLOPE = 0.35  # where the surface turns away, dots join to short lines, which are coarser
+STIPPLE_FLICKER = 0.015
 
 
 def report(*arguments):
@@ -36,8 +46,11 @@ def report(*arguments):
     return subprocess.run(command, capture_output=True, text=True)
 
 
+AXES = ("scene", "motion", "field", "ink", "lighting")
+
+
 def check_rows(rows):
-    keys = {"scene", "motion", "field", "ink", "lighting", "metric", "value"}
+    keys = {*AXES, "metric", "value"}
     assert rows and all(set(row) == keys for row in rows), rows[:2]
     assert all(row["value"] is None or isinstance(row["value"], float) for row in rows)
     names = [tuple(row[key] for key in sorted(keys - {"value"})) for row in rows]
@@ -51,10 +64,10 @@ def check_page(text, clips):
     assert not outside, outside
 
 
-def value(rows, motion, field, metric, scene="sphere"):
+def value(rows, motion, field, metric, scene="sphere", ink="noise", lighting="unlit"):
     found = [row["value"] for row in rows
              if (row["motion"], row["field"], row["metric"]) == (motion, field, metric)
-             and (row["scene"], row["ink"], row["lighting"]) == (scene, "noise", "unlit")]
+             and (row["scene"], row["ink"], row["lighting"]) == (scene, ink, lighting)]
     assert len(found) == 1 and found[0] is not None, (motion, field, metric, found)
     return found[0]
 
@@ -138,6 +151,37 @@ def check_calm(rows):
                 scene, motion, found)
 
 
+def stipple_values(rows, scene, motion, field="stipple"):
+    """The values of a clip that are defined."""
+    lighting = "lit" if motion == "light" else "unlit"
+    found = {row["metric"]: row["value"] for row in rows if (row["scene"], row["motion"], row["field"])
+             == (scene, motion, field) and (row["ink"], row["lighting"]) == ("stipple", lighting)}
+    print(field, scene, motion, found)
+    return found
+
+
+def check_stipples(rows):
+    """Stipples stay on the surface, and come in evenly."""
+    clips = [("sphere", motion, field) for motion in STIPPLE_BOIL for field in ("stipple", "stipple size")]
+    for clip in [*clips, ("plane", "rotate", "stipple"), ("plane", "zoom", "stipple")]:
+        scene, motion, field = clip
+        found = stipple_values(rows, *clip)
+        assert found["BoilLargest"] <= STIPPLE_BOIL[motion][field != "stipple"], (clip, found)
+        assert found["Pop"] <= STIPPLE_POP, (clip, found)
+        if motion == "light":
+            continue
+        assert found["SlideRatio"] <= STIPPLE_SLIDE, (clip, found)
+        assert found["ToneFlicker"] <= STIPPLE_FLICKER, (clip, found)
+        assert abs(found["Contrast"] - 1) <= STIPPLE_CONTRAST, (clip, found)
+        assert abs(found["FacingSlope"]) <= STIPPLE_SLOPE, (clip, found)
+    found = stipple_values(rows, "sphere", "octave")
+    assert found["SlideRatio"] <= STIPPLE_SLIDE and found["Pop"] <= STIPPLE_POP, found
+    assert found["BoilLargest"] <= STIPPLE_OCTAVE_BOIL and found["ToneFlicker"] <= STIPPLE_FLICKER, found
+    found = stipple_values(rows, "plane", "approach")
+    assert abs(found["DistanceSlope"]) <= SLOPE and abs(found["Contrast"] - 1) <= STIPPLE_CONTRAST, found
+    assert stipple_values(rows, "protein", "deform")["SlideRatio"] <= STIPPLE_DEFORMED_SLIDE
+
+
 def check_flicker(rows):
     """The tone of places on the surface: steady where the pattern sticks to it."""
     for motion in ("translate", "rotate", "zoom"):
@@ -154,13 +198,14 @@ with open(os.path.join(OUT, "quality.json"), encoding="utf-8") as file:
 with open(os.path.join(OUT, "quality.html"), encoding="utf-8") as file:
     page = file.read()
 check_rows(rows)
-check_page(page, len({tuple(row[key] for key in ("scene", "motion", "field")) for row in rows}))
+check_page(page, len({tuple(row[key] for key in AXES) for row in rows}))
 check_order(rows)
 check_similarity(rows)
 check_patches(rows)
 check_octave(rows)
 check_noise(rows)
 check_calm(rows)
+check_stipples(rows)
 check_flicker(rows)
 assert "bidirectional advection" in page and "not implemented" in page, "what is missing is named"
 

@@ -22,6 +22,7 @@ SIZE = 320
 FRAMES, FRAMES_REDUCED = 16, 7
 AXES = ("scene", "motion", "field", "ink", "lighting")
 FLAT_NOISE = {"ink": ["noise"], "lighting": ["unlit"]}
+STIPPLES = {"field": ["stipple", "stipple size"], "ink": ["stipple"], "lighting": ["unlit"]}
 REDUCED = (
     {"scene": ["sphere"], "motion": ["translate", "rotate", "zoom"],
      "field": ["screen", "texture", "solid", "similarity"], **FLAT_NOISE},
@@ -35,6 +36,11 @@ REDUCED = (
     {"scene": ["ellipsoid"], "motion": ["translate", "rotate", "zoom"], "field": ["calm"], **FLAT_NOISE},
     {"scene": ["plane"], "motion": ["translate", "rotate", "zoom", "roll"], "field": ["gabor"], **FLAT_NOISE},
     {"scene": ["protein"], "motion": ["deform"], "field": ["gabor", "phasor", "spot"], **FLAT_NOISE},
+    {"scene": ["sphere"], "motion": ["translate", "rotate", "zoom", "roll"], **STIPPLES},
+    {"scene": ["sphere"], "motion": ["light"], **STIPPLES, "lighting": ["lit"]},
+    {"scene": ["plane"], "motion": ["rotate", "zoom", "approach"], **STIPPLES, "field": ["stipple"]},
+    {"scene": ["sphere"], "motion": ["octave"], **STIPPLES, "field": ["stipple"]},
+    {"scene": ["protein"], "motion": ["deform"], **STIPPLES, "field": ["stipple"]},
 )
 # Strokes tell little more than noise: scenes that show them all the same.
 STROKE_SCENES = ("sphere", "skull")
@@ -65,7 +71,7 @@ def draw_clip(studio, filmed, key):
     import scenes
     style = scenes.new_style(key["field"], key["ink"], key["lighting"])
     states = scenes.prepared(key["field"], filmed["states"])
-    frames = studio.inks(states, filmed["cameras"], style)
+    frames = studio.inks(states, filmed["cameras"], style, filmed["lights"])
     motions = filmed["motions"]
     tone = scenes.TONE if key["lighting"] == "unlit" else None
     metrics = clips.new_metrics(frames, motions, filmed["cells"], studio.reference(key["field"], key["ink"]), tone)
@@ -84,8 +90,8 @@ def film(studio, scene, surfaces, motion, frames):
     if path is None:
         return None
     states, cameras = path
-    return {"states": states, "cameras": cameras, "motions": studio.motions(states, cameras),
-            "cells": studio.cells(surfaces, states, cameras)}
+    return {"states": states, "cameras": cameras, "lights": scenes.lights(motion, len(cameras)),
+            "motions": studio.motions(states, cameras), "cells": studio.cells(surfaces, states, cameras)}
 
 
 def surfaces_of(scene, needed):
@@ -102,6 +108,17 @@ def surfaces_of(scene, needed):
         return None
 
 
+def names_of(scene, motion, chosen):
+    """The fields, inks and lightings that there are clips of, for a scene and a motion."""
+    import scenes
+    lightings = [name for name in chosen["lighting"] if motion not in scenes.LIGHTS or name == "lit"]
+    for field in chosen["field"]:
+        inks = [ink for ink in chosen["ink"] if ink in scenes.inks_of(field)]
+        if scene not in STROKE_SCENES:
+            inks = [ink for ink in inks if ink not in scenes.STROKES]
+        yield from itertools.product((field,), inks, lightings)
+
+
 def draw(studio, chosen, frames, needed=()):
     """The clips of the chosen scenes, motions, fields, inks and lightings, a list for each scene."""
     import scenes
@@ -109,12 +126,11 @@ def draw(studio, chosen, frames, needed=()):
         surfaces = surfaces_of(scene, scene in needed)
         if surfaces is None:
             continue
-        inks = [ink for ink in chosen["ink"] if ink not in scenes.STROKES or scene in STROKE_SCENES]
         result = []
         for motion in chosen["motion"]:
-            filmed = film(studio, scene, surfaces, motion, frames)
-            names = itertools.product(chosen["field"], inks, chosen["lighting"]) if filmed else ()
-            for name in names:
+            names = list(names_of(scene, motion, chosen))
+            filmed = film(studio, scene, surfaces, motion, frames) if names else None
+            for name in names if filmed else ():
                 key = dict(zip(AXES, (scene, motion, *name)))
                 result.append(draw_clip(studio, filmed, key))
                 print(*key.values(), "%s %.4f" % next(iter(result[-1]["values"].items())), sep=", ",
@@ -131,7 +147,7 @@ def rows(clips):
 
 def choices():
     import scenes
-    fields = [*scenes.FIELDS, *scenes.NOISES]
+    fields = [*scenes.FIELDS, *scenes.MAKERS]
     lists = (scenes.SCENES, scenes.MOTIONS, fields, scenes.INKS, scenes.LIGHTINGS)
     return {axis: list(names) for axis, names in zip(AXES, lists)}
 
@@ -159,6 +175,8 @@ EXPLANATION = (
     ("calm", "the same, with wider and softer marks that come and go more slowly"),
     ("phasor", "the phase of such kernels: lines of even contrast"),
     ("spot", "a picture of a fibre in place of the kernel"),
+    ("stipple", "dots at points of the surface, the more the darker (frame-coherent stippling)"),
+    ("stipple size", "larger dots, which grow with the tone"),
     "People ranked such methods by how well patterns move with the surface: texture mapping and solid "
     "textures first, then dynamic 2D patterns and bidirectional advection, then the shower door (Benard "
     "et al. 2010, section 5). The slide ratio should rank them likewise; bidirectional advection is not "

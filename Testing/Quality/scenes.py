@@ -126,9 +126,11 @@ def still(frames):
 
 # Of the camera. Where the objects move it is still.
 MOTIONS = {"translate": translate, "rotate": rotate, "zoom": zoom, "octave": octave,
-           "slow octave": slow_octave, "roll": roll, "walk": walk, "approach": approach, "deform": still, "scale": still}
+           "slow octave": slow_octave, "roll": roll, "walk": walk, "approach": approach, "deform": still,
+           "scale": still, "light": still}
 # Only for some scenes: those that are large enough, and those that tell all there is to tell.
-CHOSEN = {"approach": ("plane",), "octave": ("sphere", "ellipsoid"), "slow octave": ("sphere",)}
+CHOSEN = {"approach": ("plane",), "octave": ("sphere", "ellipsoid"), "slow octave": ("sphere",),
+          "light": ("sphere", "skull")}
 # Too fast to tell slides. All others cover too few octaves to tell how size goes with distance.
 FAST = {"approach"}
 
@@ -138,6 +140,20 @@ DEFORMATIONS = {
                "blade": objects.vibrate},
     "scale": {"disk_out_ref": objects.grow},
 }
+
+
+def around(frames):
+    """A light that goes round the object, from the left to the right, a little above it."""
+    angles = [math.radians(4.0 * s) for s in steps(frames)]
+    return [(math.sin(a), 0.5, math.cos(a)) for a in angles]
+
+
+# Of the light: the direction to it at every frame. Otherwise it shines from the camera.
+LIGHTS = {"light": around}
+
+
+def lights(motion, frames):
+    return LIGHTS[motion](frames) if motion in LIGHTS else None
 
 
 def path(scene, motion, surfaces, frames):
@@ -225,7 +241,11 @@ def hatch(layer):
     layer.SetSize(WAVELENGTH)
 
 
-INKS = {"noise": noise, "hatch": hatch}
+def dots(layer):
+    layer.SetPattern(layer.STIPPLE)
+
+
+INKS = {"noise": noise, "hatch": hatch, "stipple": dots}
 
 
 def kernels(kind, fade=2.0, smoothness=0.5, regularity=1.0):
@@ -252,6 +272,29 @@ NOISES = {
     "spot": kernels(hachure.vtkNoiseLayer.SPOT),
 }
 
+
+
+def stipples(**parameters):
+    """A function that makes a layer of stipples, for the only ink there is of them."""
+    def layer():
+        result = hachure.vtkStippleLayer()
+        for name, value in parameters.items():
+            getattr(result, "Set" + name)(value)
+        return result
+    return {"stipple": layer}
+
+
+# Dots that are points of the surface: small ones, the more the darker; and large ones that grow.
+STIPPLES = {
+    "stipple": stipples(),
+    "stipple size": stipples(Carrier=hachure.vtkStippleLayer.SIZE, Size=WAVELENGTH),
+}
+
+# Fields that make their ink themselves: for every ink a function that makes a layer.
+MAKERS = {**NOISES, **STIPPLES}
+# Dots tell as much as noise does of how these move: the two extremes, to compare.
+DOTTED = ("screen", "similarity")
+
 # Along their strokes slides cannot be seen: only those across count.
 STROKES = {"hatch"}
 
@@ -261,10 +304,17 @@ LIGHTINGS = {
 }
 
 
+def inks_of(field):
+    """What a field can be drawn in."""
+    if field in MAKERS:
+        return list(MAKERS[field])
+    return [ink for ink in INKS if ink != "stipple" or field in DOTTED]
+
+
 def new_style(field, ink, lighting):
     style = hachure.vtkPatternStyle()
-    if field in NOISES:
-        layer = NOISES[field][ink]()
+    if field in MAKERS:
+        layer = MAKERS[field][ink]()
     else:
         layer = hachure.vtkImagePatternLayer()
         INKS[ink](layer)

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkCellCenters, vtkPolyDataNormals
 from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow)
+    vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow)
 
 GAMMA = 2.2
 CELL_WAVELENGTHS = 3.0  # side of the cells
@@ -77,10 +77,16 @@ class Studio:
                                                 list(zip(states[i], states[after]))))
         return result
 
-    def draw(self, mappers, states, cameras, background, lighting=True):
-        """The colours of every frame; there is a mapper for each surface of a state."""
+    def draw(self, mappers, states, cameras, background, lighting=True, lights=None):
+        """The colours of every frame; there is a mapper for each surface of a state.
+
+        lights: the direction to the light at every frame; None: it shines from the camera.
+        """
         renderer = vtkRenderer()
         renderer.SetBackground(*background)
+        lamp = vtkLight()
+        if lights:
+            renderer.AddLight(lamp)
         for mapper in mappers:
             actor = vtkActor()
             actor.SetMapper(mapper)
@@ -88,9 +94,11 @@ class Studio:
             renderer.AddActor(actor)
         self.window.AddRenderer(renderer)
         frames = []
-        for surfaces, camera in zip(states, cameras):
+        for frame, (surfaces, camera) in enumerate(zip(states, cameras)):
             for mapper, surface in zip(mappers, surfaces):
                 mapper.SetInputData(surface)
+            if lights:
+                lamp.SetPosition(*lights[frame])
             renderer.GetActiveCamera().DeepCopy(camera)
             # A copy alone leaves VTK's matrices as they were where the clipping range stays.
             renderer.GetActiveCamera().Modified()
@@ -104,17 +112,17 @@ class Studio:
         self.window.GetPixelData(0, 0, self.size - 1, self.size - 1, 0, data, 0)
         return vtk_to_numpy(data).reshape(self.size, self.size, 3).copy()
 
-    def inks(self, states, cameras, style):
+    def inks(self, states, cameras, style, lights=None):
         """Linear ink of every frame, 1 = full; patterns begin anew."""
         mappers = [hachure.vtkPatternMapper() for _ in states[0]]
         for mapper in mappers:
             mapper.SetStyle(style)
-        frames = self.draw(mappers, states, cameras, (1, 1, 1))
+        frames = self.draw(mappers, states, cameras, (1, 1, 1), lights=lights)
         return [(1.0 - (frame[..., 0] / 255.0) ** GAMMA).astype(numpy.float32) for frame in frames]
 
     def reference(self, field, ink):
         """The ink as drawn flat on paper: in the whole picture and with an even tone."""
-        key = (field if field in scenes.NOISES else "screen", ink)
+        key = (field if field in scenes.MAKERS else "screen", ink)
         if key not in self.references:
             style = scenes.new_style(*key, "unlit")
             self.references[key] = self.inks([[objects.square()]], scenes.still(1), style)[0]

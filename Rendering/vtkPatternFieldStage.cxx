@@ -122,10 +122,10 @@ std::string vtkPatternFieldStage::Draw(vtkPatternCompositor& compositor) const
     }
     return colors;
   };
-  return compositor.DrawFields(
-    { &this->Surface, this->History, this->StippleHistory, this->LookOn, this->SecondEye,
-      this->ModelToClip, this->Viewport, this->Rectangle, DepthPerPixel(*this), this->NoiseBackEnd,
-      this->Frame, this->Resources.SurfaceDepth, lookAtDepth, look, lookAtTones, lookAtColors });
+  return compositor.DrawFields({ &this->Surface, &this->Steering, this->CarriesStipples,
+    this->History, this->StippleHistory, this->LookOn, this->SecondEye, this->ModelToClip,
+    this->Viewport, this->Rectangle, DepthPerPixel(*this), this->NoiseBackEnd, this->Frame,
+    this->Resources.SurfaceDepth, lookAtDepth, look, lookAtTones, lookAtColors });
 }
 
 std::string vtkPatternFieldStage::DrawForward(vtkPatternCompositor& compositor) const
@@ -136,7 +136,8 @@ std::string vtkPatternFieldStage::DrawForward(vtkPatternCompositor& compositor) 
     tones = tones ? tones : &this->PeelTones();
     return *tones;
   };
-  return compositor.DrawForwardFields({ &this->Surface, this->History, this->StippleHistory,
-    this->LookOn, this->SecondEye, this->ModelToClip, this->Viewport, this->Rectangle,
-    DepthPerPixel(*this), this->NoiseBackEnd, this->Frame, nullptr, {}, {}, lookAtTones, {} });
+  return compositor.DrawForwardFields(
+    { &this->Surface, &this->Steering, this->CarriesStipples, this->History, this->StippleHistory,
+      this->LookOn, this->SecondEye, this->ModelToClip, this->Viewport, this->Rectangle,
+      DepthPerPixel(*this), this->NoiseBackEnd, this->Frame, nullptr, {}, {}, lookAtTones, {} });
 }

@@ -29,6 +29,8 @@ struct vtkPatternFieldStage
   vtkOpenGLRenderWindow* Window;
   vtkPatternWindowResources& Resources; // the attribute images of the surface
   vtkPatternSurface& Surface;
+  vtkPatternSurface& Steering; // as FieldScene has it
+  bool CarriesStipples;
   vtkPatternNoiseHistory* History;          // null: nothing is remembered
   vtkPatternStippleHistory* StippleHistory; // the same
   bool LookOn;                              // what is remembered stays

@@ -123,11 +123,17 @@ bool vtkPatternMapper::DrawFields(Drawing& drawing, const glm::dmat4& modelToCli
   try
   {
     this->UpdateSurface();
+    vtkPatternMapper* steering = this->GetSteeringMapper();
+    if (steering != this)
+    {
+      steering->UpdateSurface();
+    }
+    const bool carries = this->Style->GetTrackingMode() != vtkPatternStyle::ANCHORED;
     const vtkPatternFieldStage stage = { drawing.Window, *drawing.Part.Resources,
-      this->Internal->Surface, this->NoiseHistory(drawing), this->StippleHistory(drawing),
-      drawing.Viewport.IsTile, IsSecondEye(drawing.Renderer), modelToClip, drawing.Viewport.Drawn,
-      drawing.Rectangle, { center[0], center[1], center[2] }, backEnd,
-      vtkPatternViewContext::Get(drawing.Renderer)->GetFrameNumber(),
+      this->Internal->Surface, steering->Internal->Surface, carries, this->NoiseHistory(drawing),
+      this->StippleHistory(drawing), drawing.Viewport.IsTile, IsSecondEye(drawing.Renderer),
+      modelToClip, drawing.Viewport.Drawn, drawing.Rectangle, { center[0], center[1], center[2] },
+      backEnd, vtkPatternViewContext::Get(drawing.Renderer)->GetFrameNumber(),
       [&]() -> const std::vector<vtkPatternTonePeel::Image>&
       {
         this->PeelTones(drawing);

@@ -138,10 +138,10 @@ public:
 
   ///@{
   /** What the paper shows: AS_IN_STYLE, or vtkPatternStyle's CONSTANT (0, PatternPaperColor),
-   * SURFACE (1) or FLAT (2). Default AS_IN_STYLE. */
+   * SURFACE (1), FLAT (2) or NO_PAPER (3). Default AS_IN_STYLE. */
   void SetPatternPaper(int choice)
   {
-    this->Choose(this->PatternPaper, choice, vtkPatternStyle::FLAT);
+    this->Choose(this->PatternPaper, choice, vtkPatternStyle::NO_PAPER);
   }
   vtkGetMacro(PatternPaper, int);
   ///@}

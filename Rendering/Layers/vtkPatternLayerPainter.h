@@ -83,6 +83,8 @@ public:
   struct FieldScene
   {
     vtkPatternSurface* Surface;
+    vtkPatternSurface* Steering; // whose stipples are drawn: itself, or what it is a stand-in of
+    bool CarriesStipples;        // from one surface to the next
     vtkPatternNoiseHistory* History;          // of it in this renderer; null: nothing is remembered
     vtkPatternStippleHistory* StippleHistory; // the same
     bool LookOn;                              // what is remembered stays

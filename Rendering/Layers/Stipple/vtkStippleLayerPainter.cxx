@@ -123,9 +123,9 @@ void vtkStippleLayerPainter::Fade(
 void vtkStippleLayerPainter::FindStipples(
   const FieldScene& scene, const hachure::StippleScene& seen, const hachure::StippleLook& look)
 {
-  const int life = scene.History ? this->Layer->GetLife() : 0;
+  const int life = scene.CarriesStipples ? this->Layer->GetLife() : 0;
   const std::shared_ptr<vtkPatternSurface::StippleSet> set =
-    scene.Surface->Stipples({ hachure::StippleOrder::Progressive, this->Layer->GetSeed(),
+    scene.Steering->Stipples({ hachure::StippleOrder::Progressive, this->Layer->GetSeed(),
       this->Layer->GetNumberOfPoints(), life });
   hachure::StippleTree& tree = set->Tree;
   const hachure::StippleDrawing drawing(seen, look);
@@ -153,7 +153,7 @@ void vtkStippleLayerPainter::FindClassicStipples(
   const FieldScene& scene, const hachure::StippleScene& seen, const hachure::StippleLook& look)
 {
   const std::shared_ptr<hachure::StippleEdges> edges =
-    scene.Surface->ClassicStipples({ hachure::StippleOrder::Classic, this->Layer->GetSeed(),
+    scene.Steering->ClassicStipples({ hachure::StippleOrder::Classic, this->Layer->GetSeed(),
       this->Layer->GetNumberOfPoints(), 0 });
   const hachure::StippleEdgeTest test(seen, look);
   this->Note.clear();
@@ -177,7 +177,10 @@ void vtkStippleLayerPainter::Draw(
   seen.view.viewportSize = { scene.Viewport[2], scene.Viewport[3] };
   seen.rectangle = scene.Rectangle;
   seen.depth = depth;
-  seen.depthPerPixel = scene.DepthPerPixel;
+  // The surface of a stand-in may be some pixels off.
+  constexpr float standInTolerance = 10.0f;
+  seen.depthPerPixel =
+    (scene.Steering == scene.Surface ? 1.0f : standInTolerance) * scene.DepthPerPixel;
   this->SetTones(scene, channel, seen);
   hachure::StippleLook look;
   look.diameter = static_cast<float>(this->Diameter);

@@ -3,7 +3,7 @@
 
 // What the mapper tells of the motion of its patterns.
 
-#include "vtkPatternMapper.h"
+#include "vtkPatternMapperInternals.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
@@ -21,6 +21,7 @@ void vtkPatternMapper::Reanchor(vtkRenderer* renderer)
   {
     context->Reanchor(this);
   }
+  this->Internal->Surface.ForgetStipples();
 }
 
 namespace

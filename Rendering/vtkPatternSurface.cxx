@@ -418,6 +418,17 @@ std::shared_ptr<hachure::StippleEdges> vtkPatternSurface::ClassicStipples(const 
   return { this->Current, &found->second };
 }
 
+void vtkPatternSurface::ForgetStipples()
+{
+  State& state = *this->Current;
+  state.Before.reset();
+  for (auto set = state.Stipples.begin(); set != state.Stipples.end();)
+  {
+    const bool carried = !set->second.Living.shares.empty();
+    set = carried ? state.Stipples.erase(set) : std::next(set);
+  }
+}
+
 const vtkPatternSurfaceArray& vtkPatternSurface::Array(const std::string& name, int components)
 {
   const std::pair<std::string, int> key(name, components);

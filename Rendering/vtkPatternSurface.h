@@ -97,6 +97,9 @@ public:
   /// The same of those in the order Classic, with the edges to their relevant neighbours.
   std::shared_ptr<hachure::StippleEdges> ClassicStipples(const StippleKey& key);
 
+  /// Those carried from surfaces before.
+  void ForgetStipples();
+
   hachure::TriangleMesh Mesh() const
   {
     return { this->Current->Positions, this->Current->Surface.triangles, {} };

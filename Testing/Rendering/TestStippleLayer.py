@@ -194,6 +194,18 @@ def test_seeds_and_numbers_of_points():
     assert (scene.draw(window) == 255).all()
 
 
+def test_a_spent_budget_is_told_once():
+    """And the ink stays the tone: stipples are larger."""
+    style = stipple_style(0.4, NumberOfPoints=3000, MemoryBudget=0)
+    _, renderer, window = stage(scene.plane(), style, (0.0, 0.0, 12.0))
+    window.Render()
+    for distance in (8.0, 6.0):
+        scene.look(renderer, (0.0, 0.0, distance))
+        ink = scene.ink(scene.draw(window))
+        assert abs(ink - 0.4) < 0.03, (distance, ink)
+    scene.expect_messages("stipples that views asked for take all of the memory budget of 0 MiB")
+
+
 def test_odd_input():
     """Empty, one triangle, mixed with lines and vertices, without points: right, and silent."""
     points = vtkPoints()

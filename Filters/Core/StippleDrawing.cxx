@@ -85,7 +85,7 @@ StippleDrawing::StippleDrawing(const StippleScene& someScene, const StippleLook&
   , projection(someScene.view, this->reach)
 {
   this->tabulateCrowds();
-  this->findCellCrowds();
+  this->findCells();
 }
 
 void StippleDrawing::tabulateCrowds()
@@ -122,9 +122,10 @@ float StippleDrawing::crowdAt(std::size_t tone, float facing) const
   return entries[0] + (place - static_cast<float>(first)) * (entries[1] - entries[0]);
 }
 
-void StippleDrawing::findCellCrowds()
+void StippleDrawing::findCells()
 {
-  if (this->scene.tones.empty() || this->look.toneBySize)
+  const bool even = this->scene.tones.empty() || this->look.toneBySize;
+  if (even && this->scene.depth.empty())
   {
     return;
   }
@@ -133,29 +134,49 @@ void StippleDrawing::findCellCrowds()
   this->cellColumns = (this->scene.rectangle[2] + cellSide - 1) / cellSide;
   this->cellRows = (this->scene.rectangle[3] + cellSide - 1) / cellSide;
   const auto columns = static_cast<std::size_t>(this->cellColumns);
-  this->cellCrowds.assign(columns * static_cast<std::size_t>(this->cellRows), 0.0f);
+  this->cells.assign(columns * static_cast<std::size_t>(this->cellRows), Cell());
   std::array<float, tonesOfAll> crowdOf;
   for (std::size_t tone = 0; tone < tonesOfAll; ++tone)
   {
-    crowdOf[tone] = this->crowdAt(tone, 1.0f);
+    crowdOf[tone] = this->crowdAt(even ? this->darkest : tone, 1.0f);
   }
   const auto stride = static_cast<std::size_t>(this->scene.toneStride);
   parallelForRanges(this->cellRows, 1,
     [&](std::int64_t cellRow, std::int64_t)
     {
-      float* const cells = this->cellCrowds.data() + static_cast<std::size_t>(cellRow) * columns;
-      const std::size_t first = static_cast<std::size_t>(cellRow) * cellSide;
-      for (std::size_t row = first; row < std::min(height, first + cellSide); ++row)
+      Cell* const row = this->cells.data() + static_cast<std::size_t>(cellRow) * columns;
+      const std::size_t first = static_cast<std::size_t>(cellRow) * cellSide * width;
+      const std::size_t end = std::min(first + cellSide * width, width * height);
+      for (std::size_t pixel = first; pixel < end; ++pixel)
       {
-        for (std::size_t column = 0; column < width; ++column)
+        const float depth = this->scene.depth.empty() ? 0.0f : this->scene.depth[pixel];
+        if (depth < 1.0f)
         {
-          const std::size_t pixel = row * width + column;
-          const bool isSeen = this->scene.depth.empty() || this->scene.depth[pixel] < 1.0f;
-          const float crowd = isSeen ? crowdOf[this->scene.tones[pixel * stride]] : 0.0f;
-          cells[column / cellSide] = std::max(cells[column / cellSide], crowd);
+          Cell& cell = row[pixel % width / cellSide];
+          const std::size_t tone = even ? 0 : this->scene.tones[pixel * stride];
+          cell.crowd = std::max(cell.crowd, crowdOf[tone]);
+          cell.farthest = std::max(cell.farthest, depth);
         }
       }
     });
+}
+
+// Where the near plane is level in space and depth is a function of the distance from the eye
+// alone, which skewed projections have not; -1 otherwise.
+float StippleDrawing::nearestDepth(const NoiseSphere& sphere) const
+{
+  const glm::dvec3 z(this->rowZ), w(this->rowW);
+  const double square = glm::dot(w, w);
+  const double factor = square > 0.0 ? glm::dot(z, w) / square : 0.0;
+  if (glm::length(z - factor * w) > 1e-9 * glm::length(z) && square > 0.0)
+  {
+    return -1.0f;
+  }
+  const glm::dvec4& along = square > 0.0 ? this->rowW : this->rowZ;
+  const double least = at(along, sphere.center) - sphere.radius * glm::length(glm::dvec3(along));
+  const double depth =
+    square > 0.0 ? factor + (this->rowZ.w - factor * this->rowW.w) / least : least / this->rowW.w;
+  return static_cast<float>(0.5 * depth + 0.5);
 }
 
 // Of all that is seen around the picture of the sphere, with a pixel more: a stipple beside the
@@ -164,7 +185,7 @@ float StippleDrawing::mostCrowd(const NoiseSphere& sphere) const
 {
   const double least =
     at(this->rowW, sphere.center) - sphere.radius * glm::length(glm::dvec3(this->rowW));
-  if (this->cellCrowds.empty() || !(least > 0.0))
+  if (this->cells.empty() || !(least > 0.0))
   {
     return this->crowdAt(this->darkest, 1.0f);
   }
@@ -181,25 +202,63 @@ float StippleDrawing::mostCrowd(const NoiseSphere& sphere) const
     first[axis] = static_cast<int>(std::clamp((middle - extent) / cellSide, 0.0, most));
     last[axis] = static_cast<int>(std::clamp((middle + extent) / cellSide, 0.0, most));
   }
+  // More than the tolerance of most stipples.
+  constexpr float tolerance = 8.0f;
+  const float nearest = this->scene.depth.empty()
+    ? -1.0f
+    : this->nearestDepth(sphere) - tolerance * this->scene.depthPerPixel;
   float crowd = 0.0f;
   for (int row = first[1]; row <= last[1]; ++row)
   {
-    const float* const cells = this->cellCrowds.data() +
+    const Cell* const cellsOfRow = this->cells.data() +
       static_cast<std::size_t>(row) * static_cast<std::size_t>(this->cellColumns);
-    crowd = std::max(crowd, *std::max_element(cells + first[0], cells + last[0] + 1));
+    for (int column = first[0]; column <= last[0]; ++column)
+    {
+      const Cell& cell = cellsOfRow[column];
+      crowd = nearest <= cell.farthest ? std::max(crowd, cell.crowd) : crowd;
+    }
   }
   return crowd;
 }
 
-double StippleDrawing::mostWanted(const NoiseSphere& sphere) const
+// Cosine of the angle of sight, of all normals of the cone and all places in the sphere.
+double StippleDrawing::mostFacing(const StippleBounds& bounds) const
 {
-  if (this->projection.misses(sphere))
+  const Rows rows = this->rowsAt(bounds.middle());
+  const double distance = static_cast<double>(glm::length(rows.toViewer));
+  if (bounds.cosine <= 0.0f || !(distance > 0.0))
+  {
+    return 1.0;
+  }
+  // All around the eye; of a parallel projection the angle is the same everywhere.
+  const double turned = std::abs(static_cast<double>(rows.turn)) * bounds.radius / distance;
+  if (turned >= 1.0)
+  {
+    return 1.0;
+  }
+  const double along =
+    std::abs(static_cast<double>(glm::dot(rows.toViewer, bounds.axis))) / distance;
+  const double angle = std::acos(std::min(1.0, along)) -
+    std::acos(std::min(1.0, static_cast<double>(bounds.cosine))) - std::asin(turned);
+  return std::cos(std::max(0.0, angle));
+}
+
+double StippleDrawing::mostWanted(const StippleBounds& bounds) const
+{
+  const NoiseSphere sphere = { bounds.middle(), bounds.radius };
+  if (bounds.isEmpty() || this->projection.misses(sphere))
   {
     return 0.0;
   }
-  // The crowd times the facing, of which the picture's area is a multiple, is most where it is 1.
   const float crowd = this->mostCrowd(sphere);
-  return crowd > 0.0f ? crowd * this->projection.magnificationBound(sphere) : 0.0;
+  if (!(crowd > 0.0f))
+  {
+    return 0.0;
+  }
+  // Tilted surfaces want more in a pixel, of dark tones most, and have fewer pixels.
+  const auto facing = static_cast<float>(this->mostFacing(bounds));
+  const float tilted = facing * this->crowdAt(fullTone, facing) / this->crowdAt(fullTone, 1.0f);
+  return static_cast<double>(tilted * crowd) * this->projection.magnificationBound(sphere);
 }
 
 // Bits of those out of eight that may be wanted.
@@ -332,9 +391,7 @@ Walk walk(const StippleTree& tree, const StippleDrawing& drawing)
     const std::int32_t index = open.back();
     const StippleNode& node = tree.node(index);
     open.pop_back();
-    const double wanted = node.bounds.isEmpty()
-      ? 0.0
-      : drawing.mostWanted({ node.bounds.middle(), node.bounds.radius });
+    const double wanted = drawing.mostWanted(node.bounds);
     if (wanted <= 0.0 || node.leastDensity > wanted)
     {
       continue;

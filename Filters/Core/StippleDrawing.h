@@ -25,8 +25,9 @@ public:
   StippleDrawing(const StippleDrawing&) = delete;
   StippleDrawing& operator=(const StippleDrawing&) = delete;
 
-  // No point within the sphere wants a higher density than this; 0 where none is in the picture.
-  double mostWanted(const NoiseSphere& sphere) const;
+  // No point within the bounds that is seen wants a higher density than this; 0 where none is in
+  // the picture, or all is hidden.
+  double mostWanted(const StippleBounds& bounds) const;
 
   // What to draw of a node.
   struct Task
@@ -40,8 +41,10 @@ public:
 
 private:
   void tabulateCrowds();
-  void findCellCrowds();
+  void findCells();
   float mostCrowd(const NoiseSphere& sphere) const;
+  float nearestDepth(const NoiseSphere& sphere) const;
+  double mostFacing(const StippleBounds& bounds) const;
   std::uint32_t candidates(const Rows& rows, const StippleNode& node, std::int32_t first) const;
   bool finish(
     const Rows& rows, const StippleTree& tree, const Task& task, DrawnStipple& stipple) const;
@@ -52,9 +55,13 @@ private:
   NoiseProjection projection;
   std::size_t darkest = 0;   // row of the crowds that is most
   std::vector<float> crowds; // stipples per pixel: of every tone and of tone 1, for every facing
-  // The most in every cell of the rectangle, of a surface that faces the viewer; empty: the same
-  // everywhere.
-  std::vector<float> cellCrowds;
+  // Squares of the rectangle, row by row.
+  struct Cell
+  {
+    float crowd = 0.0f;    // the most of a surface that faces the viewer
+    float farthest = 0.0f; // window depth that is seen of the surface
+  };
+  std::vector<Cell> cells; // empty: the same everywhere
   int cellColumns = 0, cellRows = 0;
 };
 

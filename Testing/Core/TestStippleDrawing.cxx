@@ -303,13 +303,41 @@ TEST(StippleDrawing, NothingWantsMoreThanTheBound)
   const StippleScene scene = PlanePicture::scene(side, 0.6, 0.7f);
   const StippleLook look;
   const StippleDrawing drawing(scene, look);
-  const double most = drawing.mostWanted({ glm::dvec3(0.5, 0.5, 0.0), 0.75 });
+  const auto around = [](double x)
+  {
+    StippleBounds bounds;
+    bounds.low = { x - 0.5, 0.0, 0.0 };
+    bounds.high = { x + 0.5, 1.0, 0.0 };
+    bounds.radius = 0.75;
+    return bounds;
+  };
+  const double most = drawing.mostWanted(around(0.5));
   const double facing = std::cos(0.6);
   const double wanted = stippleCrowd(0.7f, static_cast<float>(facing), look.growth) * facing *
     side * side / (look.diameter * look.diameter);
   EXPECT_GE(most, wanted);
   EXPECT_LT(most, 2.0 * wanted);
-  EXPECT_EQ(drawing.mostWanted({ glm::dvec3(5.0, 0.5, 0.0), 0.75 }), 0.0);
+  EXPECT_EQ(drawing.mostWanted(around(5.0)), 0.0);
+  // All normals are known to be those of the plane.
+  StippleBounds plane = around(0.5);
+  plane.axis = { 0.0f, 0.0f, 1.0f };
+  plane.cosine = 1.0f;
+  EXPECT_GE(drawing.mostWanted(plane), wanted);
+  EXPECT_LT(drawing.mostWanted(plane), 1.1 * wanted);
+}
+
+TEST(StippleDrawing, WhatIsHiddenWantsNothing)
+{
+  StippleScene scene = PlanePicture::scene(side, 0.0, 0.4f);
+  scene.depthPerPixel = 1.0f / (4.0f * side);
+  std::vector<float> depth(static_cast<std::size_t>(side) * side, 0.4f); // before the plane
+  scene.depth = depth;
+  EXPECT_TRUE(manyStipples().draw(scene, StippleLook()).empty());
+  const StippleDrawing drawing(scene, {});
+  EXPECT_EQ(drawing.mostWanted(manyStipples().tree->nodes().back().bounds), 0.0);
+  std::fill(depth.begin(), depth.end(), 0.5f);
+  const StippleDrawing other(scene, {});
+  EXPECT_GT(other.mostWanted(manyStipples().tree->nodes().back().bounds), 0.0);
 }
 
 TEST(StippleDrawing, WrongScenesAreRefused)

@@ -228,8 +228,8 @@ TEST(StippleClassic, SplitsWithoutTheRandomiseOperatorMakeLines)
   EXPECT_GT(left.metrics.anisotropy, 3.3);
 }
 
-// rho is the least of 570 distances, and differs from seed to seed: the mean of sixty is .20 in this
-// window, .19 in that of the test above, where R and the low frequencies are the same.
+// rho is the least of 570 distances, and differs from seed to seed: the mean of sixty is .20 in
+// this window, .19 in that of the test above, where R and the low frequencies are the same.
 TEST(StippleClassic, SplitsWithItAreIsotropic)
 {
   const FigureSix right = meanOfFigureSix(true, 1.0);

@@ -14,7 +14,7 @@ for wanted in (500, 2000):
 for name in ("Normals", "Barycentrics", "PatchId", "SampleId"):
     assert data.GetPointData().HasArray(name), name
 
-stipples = scene.HachureStipples(Input=sphere, NumberOfPoints=3000, Order="Classic")
+stipples = scene.HachureStipples(Input=sphere, NumberOfPoints=3000, Order="Classic", GenerateParticleMesh=True)
 data = servermanager.Fetch(stipples)
 assert data.GetNumberOfPoints() == 3000 and data.GetPointData().HasArray("StippleSpacing")
 particles = servermanager.Fetch(simple.ExtractSurface(Input=stipples[1]))

@@ -133,7 +133,7 @@ def sections(text):
     return dict(zip(parts[1::2], parts[2::2]))
 
 
-def assemble(text, kernels, pieces):
+def assemble(text, kernels, pieces, paper="Paper"):
     """A whole fragment shader: pieces for tags, VTK's outputs for gl_FragData."""
     declarations, calls = stack(pieces, kernels)
     outline = sections(pieces.get("PatternOutline", ""))
@@ -147,10 +147,11 @@ def assemble(text, kernels, pieces):
         ("//Hachure::ColorAt::Dec", sections(pieces.get("PatternColorAt", "")).get("Images", "")),
         ("//Hachure::Patches::Dec",
          pieces.get("PatternPatches", "") + pieces.get("PatternPatchRecords", "")),
+        ("//Hachure::Picture::Impl", sections(pieces.get("PatternPicture", "")).get(paper, "")),
         ("//Hachure::Surface::Dec", surface.get("PatchDec", "")),
         ("//Hachure::Surface::Impl", surface.get("PatchImpl", "")),
         ("LAYERS", "3"),
-        ("PAPER", "hachureSurfaceHere"),
+        ("PAPER", "hachureSurfaceHere" if paper == "Paper" else "hachurePaperHere"),
         ("//Hachure::Layers::Dec", declarations),
         ("//Hachure::Layers::Impl", calls),
         ("//VTK::System::Dec", "#version %d" % GLUE_VERSION),
@@ -178,7 +179,8 @@ def main(root, dumps):
     for name, piece in pieces.items():
         stage = {"FS": "frag", "VS": "vert", "CS": "comp"}.get(name[-2:])
         for text in noise_variants(piece, pieces, kernels) if stage else ():
-            good &= validate(name + ".glsl", assemble(text, kernels, pieces), stage)
+            for paper in ("Paper", "NoPaper") if "//Hachure::Picture::Impl" in text else ("Paper",):
+                good &= validate(name + ".glsl", assemble(text, kernels, pieces, paper), stage)
     if dumps and os.path.isdir(dumps):
         for name in sorted(os.listdir(dumps)):
             stage = name.rsplit(".", 1)[-1]

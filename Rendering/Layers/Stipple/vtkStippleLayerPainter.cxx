@@ -24,16 +24,14 @@ vtkStippleLayerPainter::vtkStippleLayerPainter(vtkStippleLayer* layer)
 
 std::string vtkStippleLayerPainter::GetDeclarations(bool) const
 {
-  return vtkPattern::ShaderSection(StippleLayer, "Places") +
-    vtkPattern::ShaderSection(StippleLayer, "Opaque") +
-    vtkPattern::ShaderSection(StippleLayer, "Ink");
+  return vtkPattern::ShaderSection(StippleLayer, "Ink") +
+    vtkPattern::ShaderSection(StippleLayer, "Opaque");
 }
 
 std::string vtkStippleLayerPainter::GetForwardDeclarations(bool) const
 {
-  return vtkPattern::ShaderSection(StippleLayer, "Places") +
-    vtkPattern::ShaderSection(StippleLayer, "Forward") +
-    vtkPattern::ShaderSection(StippleLayer, "Ink");
+  return vtkPattern::ShaderSection(StippleLayer, "Ink") +
+    vtkPattern::ShaderSection(StippleLayer, "Forward");
 }
 
 bool vtkStippleLayerPainter::Update(vtkOpenGLRenderWindow* window, const Scene& scene, std::string&)

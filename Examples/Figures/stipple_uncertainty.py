@@ -14,7 +14,7 @@ DEGREES = ((-2, (0.42, 0.56, 0.80)), (8, (0.58, 0.78, 0.86)), (16, (0.80, 0.90, 
            (23, (0.98, 0.91, 0.62)), (31, (0.92, 0.56, 0.42)))
 OBSERVATIONS = 3.8, -0.8  # their logarithm at tone 0 and at tone 1
 LAND = 0.8, 0.8, 0.8
-SIZE, LEGEND = 310, 190
+SIZE, LEGEND = 250, 180
 LEVELS = 15  # of brightness in the file
 
 style = hachure.style("stipple")

@@ -99,7 +99,7 @@ void vtkStippleLayerPainter::Separate(const FieldScene& scene)
       const glm::vec4 inks =
         hachure::glsl::processInks(hachure::glsl::toLinear(color), blackGeneration);
       this->Separation[static_cast<std::size_t>(pixel)] =
-        static_cast<std::uint8_t>(last * inks[ink] + 0.5f);
+        static_cast<std::uint8_t>(std::lround(last * inks[ink]));
     });
 }
 

@@ -156,7 +156,7 @@ section 4 of Benard et al. 2010 (*A Dynamic Noise Primitive for Coherent Styliza
 - **size** is the mean distance of marks, of stipples their diameter; **regularity**, the radius of a kernel over it,
   makes them loose or ruled; **spread** turns them in all directions (90) or in one (0).
 - **smoothness** is how softly they end. In **step** A to B, the tone rises from 0 at A to 1 at B: a narrow step makes
-  flat washes whose edges the noise moves.
+  flat washes whose edges the noise moves; with B above 1 the darkest tone is not full ink.
 - **ink**: "at" is its opacity. Inks mix in linear light. `multiply` of two black inks is the product of what they leave
   bare; `screen` of white ink takes ink away; `overlay` of black deepens colours and leaves white white.
 """

@@ -294,10 +294,13 @@ HACHURE_WIDE_CLONES std::uint32_t StippleDrawing::candidates(
   const FloatLanes top = w * (static_cast<float>(this->scene.rectangle[3]) + margin) - row;
   const FloatLanes inside = lowerLanes(
     lowerLanes(column + w * margin, row + w * margin), lowerLanes(lowerLanes(right, top), w));
+  const FloatLanes wanted = lowerLanes(rest, inside);
+  float margins[floatLanes];
+  storeLanes(wanted, margins);
   std::uint32_t bits = 0;
   for (int lane = 0; lane < floatLanes; ++lane)
   {
-    bits |= (rest[lane] > 0.0f && inside[lane] > 0.0f ? 1u : 0u) << lane;
+    bits |= (margins[lane] > 0.0f ? 1u : 0u) << lane;
   }
   return bits;
 }

@@ -166,9 +166,9 @@ TEST(StippleDrawing, WhereStipplesRunOutTheyGrow)
 TEST(StippleDrawing, InkIsTheToneAtAnyZoom)
 {
   PlanePicture picture(1000);
-  for (const double zoom : { 0.125, 0.5, 2.0, 8.0, 64.0 })
+  for (const double zoom : { 0.125, 0.5, 4.0, 64.0 })
   {
-    for (const float tone : { 0.05f, 0.3f, 0.6f, 0.9f })
+    for (const float tone : { 0.05f, 0.4f, 0.9f })
     {
       const double pixels = 300.0 * zoom;
       const StippleScene scene = PlanePicture::scene(pixels, 0.0, tone);
@@ -198,7 +198,7 @@ TEST(StippleDrawing, PicturesDoNotDependOnThoseBefore)
   PlanePicture first(1000), second(1000);
   const auto near = draw(first, 4000.0);
   draw(second, 900.0);
-  draw(second, 17000.0);
+  draw(second, 9000.0);
   EXPECT_EQ(draw(second, 4000.0), near);
 }
 

@@ -400,12 +400,6 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   this->Report(
     this->Internal->Channels.MissingLight(static_cast<int>(this->Internal->Lights.GetCount())),
     this->Internal->ReportedLights[renderer]);
-  const std::string note = part.Compositor.GetNote();
-  if (!note.empty() && note != this->Internal->ReportedNote)
-  {
-    vtkWarningMacro(<< note);
-  }
-  this->Internal->ReportedNote = note;
 
   const bool lowDetail = this->TrackedMapper != nullptr;
   vtkPatternMapper* steering = this->GetSteeringMapper();
@@ -425,6 +419,13 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   else
   {
     this->RenderOpaque(drawing);
+  }
+  // Some are known only when all is drawn. A view that comes and goes is told of once.
+  const std::string note = part.Compositor.GetNote();
+  if (!note.empty() && note != this->Internal->ReportedNote)
+  {
+    vtkWarningMacro(<< note);
+    this->Internal->ReportedNote = note;
   }
 }
 

@@ -138,13 +138,12 @@ std::pair<std::vector<glm::dvec3>, std::vector<glm::dvec3>> PlacesOf(
 // Stipples that leave, as points without a mesh, which have the density of their spacing.
 hachure::StippleHierarchy HierarchyOf(const hachure::LivingStipples& living)
 {
-  constexpr double squareSpacing = 0.47; // of the density 1, as StippleTree takes it
   hachure::StippleHierarchy result;
   result.points.reserve(living.leaving.size());
   for (std::size_t i = 0; i < living.leaving.size(); ++i)
   {
     result.points.push_back({ static_cast<std::int32_t>(i), { 0.0f, 0.0f },
-      static_cast<float>(std::sqrt(squareSpacing / living.leavingDensities[i])) });
+      static_cast<float>(std::sqrt(hachure::stippleSquareSpacing / living.leavingDensities[i])) });
   }
   return result;
 }
@@ -193,7 +192,8 @@ void vtkPatternSurface::Replace(vtkDataObject* input, const Source& source)
   this->Current = std::make_shared<State>();
   this->Current->Lineage = before->Lineage + (related ? 0 : 1);
   before->Before.reset();
-  this->Current->Before = related ? before : nullptr;
+  // For its stipples; whatever else it has is not needed.
+  this->Current->Before = related && !before->Stipples.empty() ? before : nullptr;
   this->Current->Surface = hachure::extractSurfaceTriangles(input);
   this->Identify(input);
   if (!this->Current->Ids.empty())

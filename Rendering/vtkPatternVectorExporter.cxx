@@ -303,13 +303,13 @@ void vtkPatternVectorExporter::WriteData()
           });
       }
     }
-    KeepStipples(renderers, false);
     hachure::writeVectorPage(page, this->FileName);
   }
   catch (const std::exception& error)
   {
     vtkErrorMacro(<< error.what());
   }
+  KeepStipples(renderers, false);
 }
 
 void vtkPatternVectorExporter::PrintSelf(ostream& os, vtkIndent indent)

@@ -18,6 +18,9 @@
 namespace hachure
 {
 
+// Evenly spread points are as far apart as the root of this over their density (measured).
+constexpr double stippleSquareSpacing = 0.47;
+
 // The rank of a point is its index.
 struct StipplePoint
 {

@@ -51,7 +51,7 @@ class StippleTree
 public:
   // Points of stippleSurface(reference), in either order. Only the progressive ones of a mesh with
   // an area can be refined. Classic: the density is that of evenly spread points with the point's
-  // spacing, 0.47 / spacing^2. The mesh is copied, and nothing else is kept. Throws
+  // spacing, stippleSquareSpacing / spacing^2. The mesh is copied, and nothing else is kept. Throws
   // std::invalid_argument for a bad mesh, and a base whose points are not on it.
   explicit StippleTree(const TriangleMesh& reference, const StippleHierarchy& base,
     const StippleTreeOptions& options = {});

@@ -17,9 +17,6 @@ namespace hachure
 namespace
 {
 
-// Evenly spread points with the density 1 are as far apart as the root of this.
-constexpr double squareSpacing = 0.47;
-
 std::size_t at(std::int64_t index)
 {
   return static_cast<std::size_t>(index);
@@ -32,7 +29,7 @@ double densityOf(const StippleHierarchy& base, bool hasMesh, std::size_t rank)
     return static_cast<double>(rank + 1) / base.area;
   }
   const auto spacing = static_cast<double>(base.points[rank].spacing);
-  const double density = squareSpacing / (spacing * spacing);
+  const double density = stippleSquareSpacing / (spacing * spacing);
   return std::min(density, static_cast<double>(std::numeric_limits<float>::max()));
 }
 

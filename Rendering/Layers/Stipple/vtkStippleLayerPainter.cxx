@@ -230,6 +230,7 @@ std::string vtkStippleLayerPainter::DrawForwardField(const FieldScene& scene, in
   // Colours are known of opaque surfaces alone.
   if (this->Layer->GetTone()->IsSeparation() || scene.LookAtTones().empty())
   {
+    this->Drawn.clear();
     return {};
   }
   const std::vector<float>& depth = scene.LookAtTones().front().Depth;

@@ -5,13 +5,11 @@
 import hachure
 import numpy
 import pattern_scene as scene
+from sweep_scene import changes, inside, isosurface, stage, sweep
 from vtkmodules.vtkCommonCore import vtkIdTypeArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkContourFilter
-from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
 KINDS = {"gabor": 0, "phasor": 1, "spot": 2}
-EXTENT = 14
 FRAMES = 11
 
 
@@ -26,58 +24,13 @@ def noise_style(tone=0.5, **parameters):
     return style
 
 
-def stage(data, style, distance=3.0, size=(256, 256)):
-    actor = scene.actor_of(data, style)
-    actor.GetProperty().LightingOff()
-    renderer = scene.renderer_of(actor)
-    window = scene.window_of(renderer, size=size)
-    scene.look(renderer, (0.0, 0.0, distance))
-    return actor, renderer, window
-
-
-def isosurface(value=150.0):
-    """Of a function with waves; its triangles are others for every value."""
-    source = vtkRTAnalyticSource()
-    source.SetWholeExtent(*(-EXTENT, EXTENT) * 3)
-    contour = vtkContourFilter()
-    contour.SetInputConnection(source.GetOutputPort())
-    contour.SetValue(0, value)
-    return contour
-
-
-def sweep(style, step=0.5, frames=FRAMES):
-    """Pictures, linear ink, of the isosurface while its value grows."""
-    contour = isosurface()
-    _, _, window = stage(contour, style, distance=4.0 * EXTENT)
-    pictures = []
-    for frame in range(frames):
-        contour.SetValue(0, 150.0 + step * frame)
-        pictures.append(1.0 - scene.linear(scene.draw(window)).mean(axis=2))
-    return pictures
-
-
-def changes(pictures, mask):
-    """Change of the ink of every step, as part of that of pictures that have nothing in common."""
-    return numpy.array([
-        1.0 - numpy.corrcoef(a[mask], b[mask])[0, 1] for a, b in zip(pictures, pictures[1:])])
-
-
-def inside():
-    """Pixels of the surface in all pictures, away from its outline."""
-    mask = numpy.logical_and.reduce([picture > 0.99 for picture in sweep(noise_style(1.0))])
-    for axis in (0, 1):
-        for shift in (-6, 6):
-            mask &= numpy.roll(mask, shift, axis)
-    assert mask.mean() > 0.1, mask.mean()
-    return mask
-
-
 def test_isosurface_sweep():
     """Little of the picture changes in a frame, and in every frame as much; contrast and ink stay."""
-    mask = inside()
+    mask = inside(noise_style(1.0), FRAMES)
     for kind, number in KINDS.items():
         style = dict(Kind=number, Spread=90, Size=12, Smoothness=1)
-        attached, anew = sweep(noise_style(**style)), sweep(noise_style(Life=0, **style))
+        attached = sweep(noise_style(**style), FRAMES)
+        anew = sweep(noise_style(Life=0, **style), FRAMES)
         boil, without = changes(attached, mask), changes(anew, mask)
         print(kind, "changes by", numpy.median(boil), boil.max(), "without", numpy.median(without))
         assert without.min() > 0.9 and boil.max() < 0.1, (kind, boil, without)
@@ -92,7 +45,7 @@ def test_isosurface_sweep():
 def test_still_pictures_stay():
     """The same frame twice, and one drawn before a sweep, in another renderer, and as translucent."""
     contour = isosurface()
-    actor, _, window = stage(contour, noise_style(Spread=90), distance=4.0 * EXTENT)
+    actor, _, window = stage(contour, noise_style(Spread=90))
     for opacity in (1.0, 0.6):
         actor.GetProperty().SetOpacity(opacity)
         for value in (150.0, 151.0, 153.0):
@@ -108,7 +61,7 @@ def fresh(data, style, **parameters):
 
 def test_renderers_remember_for_themselves():
     contour = isosurface()
-    mapper_stages = [stage(contour, noise_style(Spread=90), distance=4.0 * EXTENT) for _ in range(2)]
+    mapper_stages = [stage(contour, noise_style(Spread=90)) for _ in range(2)]
     (actor, _, window), (_, other_renderer, other_window) = mapper_stages
     other_renderer.RemoveAllViewProps()
     other_renderer.AddActor(actor)
@@ -117,19 +70,19 @@ def test_renderers_remember_for_themselves():
     carried = scene.draw(window)
     anew = scene.draw(other_window)
     new = isosurface(152.0)
-    assert (anew == fresh(new, noise_style(Spread=90), distance=4.0 * EXTENT)).all()
+    assert (anew == fresh(new, noise_style(Spread=90))).all()
     assert (carried != anew).any()
 
 
 def test_where_history_cannot_be_used():
     """After Reanchor, backwards in time, without a life, with anchored patterns: as a first frame."""
     def expected(value):
-        return fresh(isosurface(value), noise_style(Spread=90), distance=4.0 * EXTENT)
+        return fresh(isosurface(value), noise_style(Spread=90))
 
     def after(action, value=152.0, **parameters):
         contour = isosurface()
         style = noise_style(Spread=90, **parameters)
-        actor, renderer, window = stage(contour, style, distance=4.0 * EXTENT)
+        actor, renderer, window = stage(contour, style)
         actor.GetMapper().SetAnimationTime(5.0)
         window.Render()
         action(actor.GetMapper(), renderer, style)
@@ -151,7 +104,7 @@ def test_tiles_do_not_advance():
     pictures = []
     for tiled in (False, True):
         contour = isosurface()
-        _, _, window = stage(contour, noise_style(Spread=90), distance=4.0 * EXTENT)
+        _, _, window = stage(contour, noise_style(Spread=90))
         window.Render()
         contour.SetValue(0, 152.0)
         if tiled:

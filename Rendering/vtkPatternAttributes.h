@@ -18,6 +18,7 @@ struct vtkPatternAttributes
     COLOR,   ///< display-referred colour; alpha: 1 - half drawn edge, a quarter of it without data
     TONE,    ///< tones of four channels
     NORMAL,  ///< normal in view coordinates in one float
+    RUN,     ///< first record of the triangles that end at the last vertex
     PATCH,   ///< patch of the triangle, or -1 - the first record that may be its own
     POINT,   ///< model coordinates; w: packed normal of the triangle
     TEXTURE, ///< texture coordinates; z: 1 where there are some
@@ -29,6 +30,7 @@ struct vtkPatternAttributes
   bool Colors = false;       ///< the surface's own colours are part of the picture
   bool Outline = false;      ///< contours are found in the images
   bool Patches = false;      ///< patches are told apart
+  bool Runs = false;         ///< triangles are told apart; see TriangleRuns.h
   bool PrimitiveIds = false; ///< blocks and triangles are, where a translucent surface is drawn
 
   bool Has(Image image) const
@@ -37,6 +39,8 @@ struct vtkPatternAttributes
     {
       case NORMAL:
         return this->Outline;
+      case RUN:
+        return this->Runs;
       case PATCH:
         return this->Patches;
       case POINT:
@@ -66,7 +70,7 @@ struct vtkPatternAttributes
   bool operator==(const vtkPatternAttributes& other) const
   {
     return this->Surface == other.Surface && this->Colors == other.Colors &&
-      this->Outline == other.Outline && this->Patches == other.Patches &&
+      this->Outline == other.Outline && this->Patches == other.Patches && this->Runs == other.Runs &&
       this->PrimitiveIds == other.PrimitiveIds;
   }
 };

@@ -14,6 +14,7 @@
 #include "PatternLayer.h"
 #include "PatternPatchRecords.h"
 #include "PatternPatches.h"
+#include "PatternRuns.h"
 #include "PatternSeen.h"
 #include "ProcessInks.h"
 #include "Screens.h"
@@ -216,6 +217,7 @@ vtkPatternAttributes vtkPatternCompositor::GetAttributes() const
   {
     needed.Surface = std::max(needed.Surface, layer.Painter->GetSurfaceNeed());
     needed.PrimitiveIds = needed.PrimitiveIds || layer.Painter->NeedsPrimitiveIds();
+    needed.Runs = needed.Runs || layer.Painter->NeedsRuns();
     needed.Patches = needed.Patches || (this->PatchCount > 1 && layer.Painter->FollowsPatches());
   }
   return needed;
@@ -308,7 +310,8 @@ std::string vtkPatternCompositor::StackText(bool forward) const
   vtkShaderProgram::Substitute(text, "//Hachure::Patches::Dec",
     needed.Patches ? std::string(PatternPatches) + PatternPatchRecords : std::string());
   vtkShaderProgram::Substitute(text, "//Hachure::Seen::Dec",
-    needed.Has(vtkPatternAttributes::POINT) ? std::string(PatternSeen) : std::string());
+    (needed.Has(vtkPatternAttributes::POINT) ? std::string(PatternSeen) : std::string()) +
+      (needed.Runs ? PatternRuns : ""));
   vtkShaderProgram::Substitute(text, "//Hachure::ColorAt::Dec",
     elsewhere ? vtkPattern::ShaderSection(PatternColorAt, forward ? "Forward" : "Images")
               : std::string());
@@ -422,11 +425,11 @@ void vtkPatternCompositor::SetUniforms(vtkShaderProgram* program, vtkPatternStyl
   if (this->GetAttributes().Patches)
   {
     program->SetUniformi("hachurePlacements", this->Placements.Texture->GetTextureUnit());
-    this->SetPatchUniforms(program, viewport);
   }
+  this->SetPlaceUniforms(program, viewport);
 }
 
-void vtkPatternCompositor::SetPatchUniforms(
+void vtkPatternCompositor::SetPlaceUniforms(
   vtkShaderProgram* program, const vtkPatternViewport& viewport)
 {
   const glm::dvec3& origin = this->CurrentScene.PatchOrigin;

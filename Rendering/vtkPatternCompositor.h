@@ -86,7 +86,7 @@ private:
   std::string Declarations(bool forward) const;
   std::string StackText(bool forward) const;
   void SetSurfaceUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
-  void SetPatchUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
+  void SetPlaceUniforms(vtkShaderProgram* program, const vtkPatternViewport& viewport);
   void UpdateTables(vtkOpenGLRenderWindow* window);
   const hachure::TimedOctave* OctaveOf(vtkPatternLayer* layer, std::size_t patch) const;
   void UploadPlacements(const std::vector<hachure::PatternFrame>& frames);

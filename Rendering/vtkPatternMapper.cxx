@@ -395,6 +395,7 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
     error);
   this->UpdateTextureCoordinates(
     part.Compositor.GetAttributes().Has(vtkPatternAttributes::TEXTURE));
+  this->UpdateRuns(part.Compositor.GetAttributes().Runs);
   this->Report(error, this->Internal->ReportedStyle);
   this->Internal->Lights.Collect(renderer);
   this->Report(

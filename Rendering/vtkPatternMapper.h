@@ -239,6 +239,9 @@ public:
   /// See vtkPatternSurface.
   void AppendPrimitiveIds(
     vtkPolyData* block, const std::vector<vtkIdType>& cells, std::vector<float>& ids);
+  /// Whether there are buffers of the triangles that end at a vertex; see vtkPatternSurface.
+  bool GetUsesRuns() const;
+  void AppendRuns(vtkPolyData* block, std::vector<float>& records);
   std::vector<hachure::PatternFrame> AnchoredFrames(const hachure::TrackedSamples& samples,
     const hachure::ViewProjection& view, vtkRenderer* renderer);
   /// Whether the stipples of pictures are kept for CollectStipples. Switched off they are
@@ -275,6 +278,8 @@ private:
   void UpdatePatches(std::string& error);
   void UpdateTextureCoordinates(bool needed);
   void UpdatePrimitiveIds(bool needed);
+  void UpdateRuns(bool needed);
+  void TryUpdateSurface();
   void Report(const std::string& error, std::string& reported);
   void RenderOpaque(Drawing& drawing);
   void RenderForward(Drawing& drawing);

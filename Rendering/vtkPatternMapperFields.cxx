@@ -45,6 +45,28 @@ bool vtkPatternMapper::GetUsesPrimitiveIds() const
   return this->Internal->UsesPrimitiveIds;
 }
 
+void vtkPatternMapper::UpdateRuns(bool needed)
+{
+  if (!needed)
+  {
+    return;
+  }
+  this->TryUpdateSurface();
+  const unsigned long cells = this->Internal->Surface.GetCellVersion();
+  if (!this->Internal->UsesRuns || this->Internal->CellsOfRuns != cells)
+  {
+    this->Internal->UsesRuns = true;
+    this->Internal->CellsOfRuns = cells;
+    this->Internal->ChannelTime.Modified();
+    this->Modified();
+  }
+}
+
+bool vtkPatternMapper::GetUsesRuns() const
+{
+  return this->Internal->UsesRuns;
+}
+
 void vtkPatternMapper::UpdateSurface()
 {
   vtkDataObject* input = this->GetInputDataObject(0, 0);
@@ -54,8 +76,7 @@ void vtkPatternMapper::UpdateSurface()
       vtkPatternViewContext::DataTimeOf(input), this->AnimationTime });
 }
 
-void vtkPatternMapper::AppendPrimitiveIds(
-  vtkPolyData* block, const std::vector<vtkIdType>& cells, std::vector<float>& ids)
+void vtkPatternMapper::TryUpdateSurface()
 {
   try
   {
@@ -63,9 +84,21 @@ void vtkPatternMapper::AppendPrimitiveIds(
   }
   catch (const std::exception&)
   {
-    // Reported where the noise is drawn; the surface is empty.
+    // Reported where fields are drawn; the surface is empty.
   }
+}
+
+void vtkPatternMapper::AppendPrimitiveIds(
+  vtkPolyData* block, const std::vector<vtkIdType>& cells, std::vector<float>& ids)
+{
+  this->TryUpdateSurface();
   this->Internal->Surface.AppendPrimitiveIds(block, cells, ids);
+}
+
+void vtkPatternMapper::AppendRuns(vtkPolyData* block, std::vector<float>& records)
+{
+  this->TryUpdateSurface();
+  this->Internal->Surface.AppendRuns(block, records);
 }
 
 // Of the object in this renderer; null for stand-ins of lower detail and anchored patterns.

@@ -114,7 +114,7 @@ std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> vtkPatternMapperHel
                                                                              &this->PatchOfVertex },
     { "hachurePatchRecords", &this->PatchRecords.Shapes },
     { "hachurePatchWeights", &this->PatchRecords.Weights },
-    { "hachurePrimitiveIds", &this->PrimitiveIds } };
+    { "hachurePrimitiveIds", &this->PrimitiveIds }, { "hachureRunOfVertex", &this->RunOfVertex } };
   for (std::size_t i = 0; i < this->CellTones.size(); ++i)
   {
     buffers.emplace_back("hachureCellTone" + std::to_string(i), &this->CellTones[i]);
@@ -179,19 +179,24 @@ void vtkPatternMapperHelper::BuildBufferObjects(vtkRenderer* renderer, vtkActor*
   this->Patches = {};
   this->VertexCount = 0;
   this->PrimitiveIds.Values.clear();
+  this->RunOfVertex.Values.clear();
   for (PrimitiveNumbers& tone : this->CellTones)
   {
     tone.Values.clear();
   }
   this->Superclass::BuildBufferObjects(renderer, actor);
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const auto upload = [window](PrimitiveNumbers& numbers)
+  const auto upload = [window](PrimitiveNumbers& numbers, int components)
   {
-    numbers.Upload(window, numbers.Values, 2);
+    numbers.Upload(window, numbers.Values, components);
     numbers.Values = {};
   };
-  std::for_each(this->CellTones.begin(), this->CellTones.end(), upload);
-  upload(this->PrimitiveIds);
+  for (PrimitiveNumbers& tone : this->CellTones)
+  {
+    upload(tone, 2);
+  }
+  upload(this->PrimitiveIds, 2);
+  upload(this->RunOfVertex, 1);
   this->UploadPatches(window);
 }
 
@@ -324,6 +329,24 @@ void vtkPatternMapperHelper::AppendPrimitiveIds(vtkPatternHelperData* data, int 
   this->GetMapper()->AppendPrimitiveIds(poly, cells, this->PrimitiveIds.Values);
 }
 
+// Where VTK has put the block's points, which other blocks may share.
+void vtkPatternMapperHelper::AppendRuns(vtkPolyData* poly)
+{
+  if (!this->GetMapper()->GetUsesRuns())
+  {
+    return;
+  }
+  vtkIdType start = 0;
+  vtkIdType total = 0;
+  this->VBOs->ArrayExists("vertexMC", poly->GetPoints()->GetData(), start, total);
+  std::vector<float> records;
+  this->GetMapper()->AppendRuns(poly, records);
+  std::vector<float>& all = this->RunOfVertex.Values;
+  const auto first = static_cast<std::size_t>(start);
+  all.resize(std::max(all.size(), first + records.size()));
+  std::copy(records.begin(), records.end(), all.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
 void vtkPatternMapperHelper::AppendPatches(vtkPatternHelperData* data, int representation)
 {
   const vtkPatternPatches& patches = this->GetMapper()->GetPatches();
@@ -369,6 +392,7 @@ void vtkPatternMapperHelper::AppendOneBufferObject(vtkRenderer* renderer, vtkAct
   {
     this->AppendCellTones(data, actor->GetProperty()->GetRepresentation());
     this->AppendPrimitiveIds(data, actor->GetProperty()->GetRepresentation());
+    this->AppendRuns(poly);
     this->AppendPatches(data, actor->GetProperty()->GetRepresentation());
   }
 }

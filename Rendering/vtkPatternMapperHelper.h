@@ -59,12 +59,14 @@ private:
   void SetCoordinates(vtkShaderProgram* program);
   void AppendCellTones(vtkPatternHelperData* data, int representation);
   void AppendPrimitiveIds(vtkPatternHelperData* data, int representation);
+  void AppendRuns(vtkPolyData* poly);
   void AppendPatches(vtkPatternHelperData* data, int representation);
   void UploadPatches(vtkOpenGLRenderWindow* window);
   std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> NumberBuffers();
 
   std::array<PrimitiveNumbers, vtkPatternToneChannels::Maximum> CellTones;
   PrimitiveNumbers PrimitiveIds;    // of noises on translucent surfaces
+  PrimitiveNumbers RunOfVertex;
   hachure::TrianglePatches Patches; // while buffers are built
   std::size_t VertexCount = 0;      // of these
   vtkPatternNumberBuffer PatchOfVertex;

@@ -50,7 +50,9 @@ struct vtkPatternMapper::Internals
   vtkTimeStamp ChannelTime;
   bool UsesTextureCoordinates = false; // once needed, they stay in the vertex buffers
   bool UsesPrimitiveIds = false;       // the same
-  unsigned long IdentifiedCells = 0;   // of the noise's surface, whose ids the buffers hold
+  unsigned long IdentifiedCells = 0;   // of the surface, whose ids the buffers hold
+  bool UsesRuns = false;               // the same
+  unsigned long CellsOfRuns = 0;
   std::map<vtkWindow*, WindowPart> Windows;
   vtkNew<vtkPatternShaderInjector> AttributeInjector;
   vtkNew<vtkPatternShaderInjector> PeelInjector;

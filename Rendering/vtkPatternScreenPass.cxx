@@ -94,8 +94,13 @@ std::string vtkPatternScreenPass::Text(
   const vtkPatternAttributes needed = compositor.GetAttributes();
   std::string surfaceDec;
   std::string surfaceImpl;
+  if (needed.Runs || needed.Patches)
+  {
+    surfaceDec += vtkPattern::ShaderSection(PatternSurfaceImages, "PlaceDec");
+    surfaceImpl += vtkPattern::ShaderSection(PatternSurfaceImages, "PlaceImpl");
+  }
   const std::pair<vtkPatternAttributes::Image, const char*> kinds[] = {
-    { vtkPatternAttributes::PATCH, "Patch" }, { vtkPatternAttributes::POINT, "Point" },
+    { vtkPatternAttributes::RUN, "Run" }, { vtkPatternAttributes::PATCH, "Patch" }, { vtkPatternAttributes::POINT, "Point" },
     { vtkPatternAttributes::TEXTURE, "Texture" }
   };
   for (const auto& kind : kinds)
@@ -165,6 +170,7 @@ bool vtkPatternScreenPass::Draw(
     { "hachureSurfaceDepth", resources.SurfaceDepth },
     { "hachurePatchRecords", scene.PatchRecords },
     { "hachurePatchWeights", scene.PatchWeights },
+    { "hachureSurfaceRun", resources.GetImage(vtkPatternAttributes::RUN) },
     { "hachureSurfacePatch", resources.GetImage(vtkPatternAttributes::PATCH) },
     { "hachureSurfacePoint", resources.GetImage(vtkPatternAttributes::POINT) },
     { "hachureSurfaceTexture", resources.GetImage(vtkPatternAttributes::TEXTURE) },

@@ -78,13 +78,19 @@ std::string vtkPatternShaderInjector::SurfaceText(const std::string& ending) con
 {
   std::string text;
   const bool patches = this->Needed.Has(vtkPatternAttributes::PATCH);
-  if (this->Needed.Has(vtkPatternAttributes::POINT) || (patches && this->Stage == FORWARD))
+  const bool runs = this->Needed.Has(vtkPatternAttributes::RUN);
+  if (this->Needed.Has(vtkPatternAttributes::POINT) ||
+    ((patches || runs) && this->Stage == FORWARD))
   {
     text += Section("Point" + ending);
   }
   if (this->Needed.Has(vtkPatternAttributes::TEXTURE))
   {
     text += Section("Texture" + ending);
+  }
+  if (runs)
+  {
+    text += Section("Run" + ending);
   }
   if (patches)
   {
@@ -119,6 +125,9 @@ std::string vtkPatternShaderInjector::SurfaceOutputs() const
     {
       case vtkPatternAttributes::NORMAL:
         name = forward ? "" : "Normal"; // outlines are drawn from images
+        break;
+      case vtkPatternAttributes::RUN:
+        name = "Run";
         break;
       case vtkPatternAttributes::PATCH:
         name = "Patch";

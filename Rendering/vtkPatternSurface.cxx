@@ -171,6 +171,7 @@ void vtkPatternSurface::Update(vtkDataObject* input, const Source& source)
   {
     ++this->CellVersion;
     this->FacetOfTriangle.clear();
+    this->RunsOfPoints = {};
     this->Replace(input, source);
   }
   this->Algorithm = source.Algorithm;
@@ -322,6 +323,37 @@ void vtkPatternSurface::AppendPrimitiveIds(
     ids.push_back(found ? static_cast<float>(facets[index]) : -1.0f);
     const bool more = found && triangle + 1 != end && *(triangle + 1) == cells[i];
     triangle += more ? 1 : 0;
+  }
+}
+
+const hachure::TriangleRuns& vtkPatternSurface::Runs()
+{
+  const hachure::SurfaceTriangles& surface = this->Current->Surface;
+  if (this->RunsOfPoints.firstOfPoint.size() != surface.points.size())
+  {
+    this->RunsOfPoints =
+      hachure::triangleRuns(surface.points.size(), surface.triangles, this->Facets());
+  }
+  return this->RunsOfPoints;
+}
+
+void vtkPatternSurface::AppendRuns(vtkPolyData* block, std::vector<float>& records)
+{
+  const std::vector<vtkPattern::Block> blocks = vtkPattern::Blocks(this->Input);
+  const auto object = static_cast<std::size_t>(
+    std::find_if(blocks.begin(), blocks.end(),
+      [block](const vtkPattern::Block& candidate) { return candidate.Data == block; }) -
+    blocks.begin());
+  const hachure::SurfaceTriangles& surface = this->Current->Surface;
+  const bool known = object < surface.blocks.size();
+  const auto first = known ? static_cast<std::size_t>(surface.blocks[object].firstPoint) : 0;
+  const auto count = static_cast<std::size_t>(block->GetNumberOfPoints());
+  const std::vector<std::int32_t>& runs = this->Runs().firstOfPoint;
+  records.reserve(records.size() + count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const bool drawn = known && first + i < runs.size() && runs[first + i] >= 0;
+    records.push_back(drawn ? static_cast<float>(runs[first + i]) : 0.0f);
   }
 }
 

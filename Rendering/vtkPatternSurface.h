@@ -13,6 +13,7 @@
 #include "StippleLife.h"
 #include "StippleTree.h"
 #include "SurfaceTriangles.h"
+#include "TriangleRuns.h"
 #include "vtkPatternGeometry.h"
 #include "vtkPatternSurfaceArray.h"
 #include "vtkWeakPointer.h"
@@ -115,6 +116,10 @@ public:
   /// Those of one cell follow each other.
   void AppendPrimitiveIds(
     vtkPolyData* block, hachure::Span<const vtkIdType> cells, std::vector<float>& ids);
+  /// Triangles by the vertices that VTK tells them by.
+  const hachure::TriangleRuns& Runs();
+  /// First records of a block's points.
+  void AppendRuns(vtkPolyData* block, std::vector<float>& records);
   /// Throws std::invalid_argument as vtkPatternSurfaceArray does. Until the next update.
   const vtkPatternSurfaceArray& Array(const std::string& name, int components);
   /// Another one whenever the surface or its data has changed.
@@ -139,6 +144,7 @@ private:
   unsigned long Version = 0;
   unsigned long CellVersion = 0;
   std::vector<std::int32_t> FacetOfTriangle; // empty: not asked for yet
+  hachure::TriangleRuns RunsOfPoints;        // the same
   std::map<std::pair<std::string, int>, vtkPatternSurfaceArray> Arrays;
 };
 

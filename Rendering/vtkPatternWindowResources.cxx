@@ -77,8 +77,8 @@ bool vtkPatternWindowResources::Attach(
   for (const vtkPatternAttributes::Image image : images)
   {
     const bool bytes = image <= vtkPatternAttributes::TONE;
-    const bool single =
-      image == vtkPatternAttributes::NORMAL || image == vtkPatternAttributes::PATCH;
+    const bool single = image == vtkPatternAttributes::NORMAL ||
+      image == vtkPatternAttributes::RUN || image == vtkPatternAttributes::PATCH;
     const int components = single ? 1 : 4;
     if (NewTexture(window, this->Images[image]))
     {

@@ -9,6 +9,8 @@ uniform sampler2D hachureToneTables; // thresholds of 256 tones across, the rows
 uniform sampler2D hachureResponses;  // the other way: tones of 256 thresholds (r), and their slope (g)
 uniform float hachureTableRows;      // number of these rows
 
+uniform vec3 hachurePatchOrigin;     // near the surface: coordinates about it keep their digits
+
 //Hachure::Seen::Dec
 
 vec3 hachureSurfaceHere = vec3(0.0); // linear colour of the surface, set by hachureCompose

@@ -2,7 +2,6 @@
 
 uniform samplerBuffer hachurePatchRecords; // shapes and patches of triangles, 4 texels each
 uniform samplerBuffer hachurePatchWeights; // at their corners, 3 texels each
-uniform vec3 hachurePatchOrigin; // of their coordinates, in the model's
 
 // code: of the triangle's last vertex; point: model coordinates about the records' origin. A patch
 // without records takes part in the search, and is told apart in the end: software OpenGL executes

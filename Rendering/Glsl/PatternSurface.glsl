@@ -104,6 +104,18 @@ in vec3 hachurePointVSOutput;
 //Section FacetFSImpl
   vec3 hachureFacetNormal = cross(dFdx(hachurePointVSOutput), dFdy(hachurePointVSOutput));
   hachureFacetNormal /= max(length(hachureFacetNormal), 1e-30);
+//Section RunVSDec
+uniform samplerBuffer hachureRunOfVertex; // first record of the triangles that end there
+flat out float hachureRunVSOutput;
+//Section RunVSImpl
+  hachureRunVSOutput = texelFetch(hachureRunOfVertex, gl_VertexID).x;
+//Section RunGSDec
+flat in float hachureRunVSOutput[];
+flat out float hachureRunGSOutput;
+//Section RunGSImpl
+  hachureRunGSOutput = hachureRunVSOutput[2]; // the last vertex tells of the triangle
+//Section RunFSDec
+flat in float hachureRunVSOutput;
 //Section PatchVSDec
 uniform samplerBuffer hachurePatchOfVertex; // the patch of its triangles, or -1 - their first record
 uniform float hachurePatchBase;             // records of other helpers before those of this one
@@ -204,6 +216,8 @@ float hachurePackNormal(vec3 n)
   gl_FragData[0].rgb = vec3(0.0);
 //Section NormalAttribute
   gl_FragData[IMAGE] = vec4(hachurePackNormal(hachureNormal), 0.0, 0.0, 1.0);
+//Section RunAttribute
+  gl_FragData[IMAGE] = vec4(hachureRunVSOutput, 0.0, 0.0, 1.0);
 //Section PatchAttribute
   gl_FragData[IMAGE] = vec4(hachurePatchVSOutput, 0.0, 0.0, 1.0);
 //Section PointAttribute
@@ -212,6 +226,8 @@ float hachurePackNormal(vec3 n)
   gl_FragData[IMAGE] = vec4(hachureTextureVSOutput, 1.0);
 //Section SlopesAttribute
   gl_FragData[IMAGE] = hachureTextureChange;
+//Section RunForward
+  hachureSeeRun(hachureRunVSOutput, hachurePointVSOutput - hachurePatchOrigin);
 //Section PatchForward
   hachureSeeTriangle(hachurePatchVSOutput, hachurePointVSOutput - hachurePatchOrigin);
 //Section PointForward

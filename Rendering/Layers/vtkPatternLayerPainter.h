@@ -73,6 +73,10 @@ public:
   /// Whether the shader of a translucent surface must know block and triangle, hachureIdsHere.
   virtual bool NeedsPrimitiveIds() const { return false; }
 
+  /// Whether the layer knows more of triangles than patches: its text then finds hachureRun, the
+  /// first record of those that it may be on (TriangleRuns.h), and hachureRunPoint.
+  virtual bool NeedsRuns() const { return false; }
+
   /// Linear colour of the ink at `position`, a vec3 of the shader, where it depends on more than
   /// the layer's colour source; `coverage` is known.
   virtual std::string GetInkColor() const { return {}; }

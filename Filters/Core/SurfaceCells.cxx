@@ -18,20 +18,6 @@ namespace hachure
 {
 namespace
 {
-void checkOptions(const SurfaceCellOptions& options)
-{
-  if (options.baseCells < 1)
-  {
-    throw std::invalid_argument(
-      "baseCells is " + std::to_string(options.baseCells) + "; expected at least 1");
-  }
-  if (options.finestLevel < 0 || options.finestLevel > maximumCellLevel)
-  {
-    throw std::invalid_argument("finestLevel is " + std::to_string(options.finestLevel) +
-      "; expected 0 to " + std::to_string(maximumCellLevel));
-  }
-}
-
 // An edge of a chart, which runs from the lower to the higher corner or the other way.
 struct ChartEdge
 {
@@ -92,6 +78,20 @@ int levelOf(double area, double cellArea)
 
 namespace detail
 {
+void checkOptions(const SurfaceCellOptions& options)
+{
+  if (options.baseCells < 1)
+  {
+    throw std::invalid_argument(
+      "baseCells is " + std::to_string(options.baseCells) + "; expected at least 1");
+  }
+  if (options.finestLevel < 0 || options.finestLevel > maximumCellLevel)
+  {
+    throw std::invalid_argument("finestLevel is " + std::to_string(options.finestLevel) +
+      "; expected 0 to " + std::to_string(maximumCellLevel));
+  }
+}
+
 void linkCharts(std::vector<CellChart>& charts)
 {
   for (const auto& shared : edgesOf(charts))
@@ -160,10 +160,34 @@ std::int64_t firstNodeOf(const SurfaceCells& cells, std::size_t chart, int level
   return node + below + glsl::chartNodesBelow(level - first);
 }
 
+void checkSurfaceCells(const TriangleMesh& mesh, const SurfaceCells& cells)
+{
+  const std::size_t triangles = mesh.triangles.size();
+  if (cells.chartOfTriangle.size() != triangles || cells.places.size() != triangles)
+  {
+    throw std::invalid_argument(
+      "cells.chartOfTriangle: " + std::to_string(cells.chartOfTriangle.size()) + " for " +
+      std::to_string(triangles) + " triangles");
+  }
+  if (!cells.charts.empty() && cells.firstNode.size() != cells.charts.size() + 1)
+  {
+    throw std::invalid_argument("cells.firstNode: " + std::to_string(cells.firstNode.size()) +
+      " for " + std::to_string(cells.charts.size()) + " charts");
+  }
+  for (const std::int32_t chart : cells.chartOfTriangle)
+  {
+    if (chart < -1 || chart >= static_cast<std::int64_t>(cells.charts.size()))
+    {
+      throw std::invalid_argument("cells.chartOfTriangle: " + std::to_string(chart) +
+        " is not one of the " + std::to_string(cells.charts.size()) + " charts");
+    }
+  }
+}
+
 SurfaceCells trianglesAsCells(const TriangleMesh& mesh, const SurfaceCellOptions& options)
 {
   checkTriangleMesh(mesh);
-  checkOptions(options);
+  detail::checkOptions(options);
   SurfaceCells cells;
   cells.chartOfTriangle.reserve(mesh.triangles.size());
   const std::array<glm::vec2, 3> whole = { glm::vec2(0.0f), glm::vec2(1.0f, 0.0f),

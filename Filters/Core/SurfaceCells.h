@@ -73,12 +73,18 @@ inline int subdivisionsOf(const CellChart& chart, int level)
 // First node of a chart at a level.
 std::int64_t firstNodeOf(const SurfaceCells& cells, std::size_t chart, int level);
 
+// Throws std::invalid_argument naming the first bad argument and its value: cells of another number
+// of triangles, or a chart that does not exist.
+void checkSurfaceCells(const TriangleMesh& mesh, const SurfaceCells& cells);
+
 // Every triangle is a chart: for meshes whose triangles are not much smaller than the cells wanted.
 // Throws std::invalid_argument naming the first bad argument and its value.
 SurfaceCells trianglesAsCells(const TriangleMesh& mesh, const SurfaceCellOptions& options = {});
 
 namespace detail
 {
+// Throws as trianglesAsCells() does.
+void checkOptions(const SurfaceCellOptions& options);
 // Of charts with known corners: finds their neighbours.
 void linkCharts(std::vector<CellChart>& charts);
 // Of charts with known areas: their levels, the finest level and the nodes.

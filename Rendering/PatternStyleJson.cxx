@@ -8,6 +8,7 @@
 #include "vtkNoiseLayer.h"
 #include "vtkPatternStyle.h"
 #include "vtkStippleLayer.h"
+#include "vtkViewTextureLayer.h"
 
 #include <algorithm>
 #include <limits>
@@ -42,7 +43,8 @@ LayerPointer create()
 const std::vector<LayerType>& layerTypes()
 {
   static const std::vector<LayerType> types = { { "image", create<vtkImagePatternLayer> },
-    { "noise", create<vtkNoiseLayer> }, { "stipple", create<vtkStippleLayer> } };
+    { "noise", create<vtkNoiseLayer> }, { "stipple", create<vtkStippleLayer> },
+    { "view", create<vtkViewTextureLayer> } };
   return types;
 }
 

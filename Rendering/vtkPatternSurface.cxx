@@ -257,6 +257,47 @@ void vtkPatternSurface::Move()
   {
     stipples.second.setPositions(this->Current->Positions);
   }
+  for (auto& cells : this->Current->Cells)
+  {
+    const std::vector<glm::dvec3> first = this->FirstPositions();
+    cells.second.Move({ first, this->Current->Surface.triangles, {} }, this->Current->Positions);
+  }
+}
+
+std::vector<glm::dvec3> vtkPatternSurface::FirstPositions() const
+{
+  return FiniteOf(this->Current->Surface.points);
+}
+
+void vtkPatternSurface::CellSet::Move(
+  const hachure::TriangleMesh& first, hachure::Span<const glm::dvec3> positions)
+{
+  this->Frames = this->First;
+  if (!std::equal(first.points.begin(), first.points.end(), positions.begin(), positions.end()))
+  {
+    hachure::moveFrames(this->Frames, first, positions);
+  }
+}
+
+std::shared_ptr<vtkPatternSurface::CellSet> vtkPatternSurface::Cells(const CellKey& key)
+{
+  State& state = *this->Current;
+  auto found = state.Cells.find(key);
+  if (found == state.Cells.end())
+  {
+    const std::vector<glm::dvec3> first = this->FirstPositions();
+    const hachure::TriangleMesh mesh = { first, state.Surface.triangles, {} };
+    hachure::SurfaceCellOptions options;
+    options.baseCells = key.BaseCells;
+    options.finestLevel = key.FinestLevel;
+    options.mostNodes = key.MostNodes;
+    CellSet set;
+    set.Cells = hachure::trianglesAsCells(mesh, options);
+    set.First = hachure::surfaceFrames(mesh, set.Cells);
+    set.Move(mesh, state.Positions);
+    found = state.Cells.emplace(key, std::move(set)).first;
+  }
+  return { this->Current, &found->second };
 }
 
 const std::vector<std::int32_t>& vtkPatternSurface::Facets()

@@ -12,6 +12,8 @@
 #include "StippleEdges.h"
 #include "StippleLife.h"
 #include "StippleTree.h"
+#include "SurfaceCells.h"
+#include "SurfaceFrames.h"
 #include "SurfaceTriangles.h"
 #include "TriangleRuns.h"
 #include "vtkPatternGeometry.h"
@@ -68,6 +70,26 @@ public:
     void Move(const hachure::TriangleMesh& mesh);
   };
 
+  /// What the cells of view-dependent textures are made with.
+  struct CellKey
+  {
+    int BaseCells;
+    int FinestLevel;
+    std::int64_t MostNodes;
+    bool operator<(const CellKey& other) const
+    {
+      return std::tie(this->BaseCells, this->FinestLevel, this->MostNodes) <
+        std::tie(other.BaseCells, other.FinestLevel, other.MostNodes);
+    }
+  };
+  struct CellSet
+  {
+    hachure::SurfaceCells Cells;
+    hachure::SurfaceFrames First; // where the surface was first
+    hachure::SurfaceFrames Frames;
+    void Move(const hachure::TriangleMesh& first, hachure::Span<const glm::dvec3> positions);
+  };
+
   /// A surface as long as it has the same cells. Who holds one keeps it as it was last.
   struct State
   {
@@ -78,6 +100,7 @@ public:
     std::map<std::uint32_t, hachure::NoiseSurface> Seeds;
     std::map<StippleKey, StippleSet> Stipples;
     std::map<StippleKey, hachure::StippleEdges> ClassicStipples;
+    std::map<CellKey, CellSet> Cells;
     std::vector<glm::ivec3> Outward; // triangles, those of closed blocks facing out; or empty
     std::shared_ptr<State> Before;   // surface that this one replaced, until it is replaced
     unsigned long Lineage = 0;       // the same for surfaces that come from one another
@@ -97,6 +120,11 @@ public:
   std::shared_ptr<StippleSet> Stipples(const StippleKey& key);
   /// The same of those in the order Classic, with the edges to their relevant neighbours.
   std::shared_ptr<hachure::StippleEdges> ClassicStipples(const StippleKey& key);
+
+  /// The cells of the surface as it was first, and frames where it is now. Owns the state.
+  std::shared_ptr<CellSet> Cells(const CellKey& key);
+  /// The surface as it was first; points of no triangle are finite.
+  std::vector<glm::dvec3> FirstPositions() const;
 
   /// Those carried from surfaces before.
   void ForgetStipples();

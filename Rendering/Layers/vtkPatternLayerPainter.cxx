@@ -8,6 +8,8 @@
 #include "vtkNoiseLayerPainter.h"
 #include "vtkStippleLayer.h"
 #include "vtkStippleLayerPainter.h"
+#include "vtkViewTextureLayer.h"
+#include "vtkViewTextureLayerPainter.h"
 
 std::unique_ptr<vtkPatternLayerPainter> vtkPatternLayerPainter::New(vtkPatternLayer* layer)
 {
@@ -22,6 +24,10 @@ std::unique_ptr<vtkPatternLayerPainter> vtkPatternLayerPainter::New(vtkPatternLa
   if (auto* stipple = vtkStippleLayer::SafeDownCast(layer))
   {
     return std::make_unique<vtkStippleLayerPainter>(stipple);
+  }
+  if (auto* view = vtkViewTextureLayer::SafeDownCast(layer))
+  {
+    return std::make_unique<vtkViewTextureLayerPainter>(view);
   }
   return nullptr;
 }

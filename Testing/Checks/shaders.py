@@ -21,6 +21,7 @@ GLUE_VERSION = 150
 # Of layers' texts.
 CONSTANTS = (
     ("LEVEL", "1.0"), ("ASPECT", "1.0"), ("PERIOD", "32.0"), ("POWER", "0.5"), ("IDSHERE", "hachureNoIds@"),
+    ("HEMISPHEREMAP", "hemisphereSquare"), ("HEMISPHERE", "8.0"), ("HASDEPENDENT", "1"), ("HASINDEPENDENT", "1"),
 )
 
 

@@ -171,3 +171,38 @@ NodeMix nodesAt(vec2 place, int segments)
                         : vec3(3.0f * least + 0.5f * middle, most - 0.5f * middle - least, 0.5f * middle);
   return nodes;
 }
+
+// As placeInTriangle(), of a triangle's corners. Without area it fits nowhere.
+vec3 placeInCorners(vec3 point, vec3 first, vec3 second, vec3 third)
+{
+  vec3 along = second - first;
+  vec3 other = third - first;
+  float aa = dot(along, along);
+  float ab = dot(along, other);
+  float bb = dot(other, other);
+  float area = max(aa * bb - ab * ab, 1.0e-37f);
+  return placeInTriangle(
+    point, first, (bb * along - ab * other) / area, (aa * other - ab * along) / area);
+}
+
+// The turn inside a triangle from those of its corners, by their weights.
+vec4 mixedTurn(vec4 first, vec4 second, vec4 third, vec3 weights)
+{
+  vec4 sum = weights.x * first + (dot(first, second) < 0.0f ? -weights.y : weights.y) * second +
+    (dot(first, third) < 0.0f ? -weights.z : weights.z) * third;
+  return sum / max(length(sum), 1.0e-20f);
+}
+
+// Two numbers between -1 and 2 in one, each of 4096 steps, and the other way: 0 and 1 are exact.
+const float placeSteps = 4095.0f;
+float packedPlace(vec2 place)
+{
+  vec2 steps =
+    floor(clamp((place + vec2(1.0f)) / 3.0f, vec2(0.0f), vec2(1.0f)) * placeSteps + vec2(0.5f));
+  return steps.x * (placeSteps + 1.0f) + steps.y;
+}
+vec2 unpackedPlace(float packedNumber)
+{
+  float x = floor(packedNumber / (placeSteps + 1.0f));
+  return vec2(x, packedNumber - x * (placeSteps + 1.0f)) * 3.0f / placeSteps - vec2(1.0f);
+}

@@ -123,7 +123,11 @@ std::string cameraFault(const ViewCamera& camera)
   double direction[3];
   vtkMath::Subtract(camera.focalPoint, camera.position, direction);
   const double distance = vtkMath::Norm(direction);
-  if (!(distance > 1e-18) || !std::isfinite(distance)) // below, VTK moves the focal point
+  if (!std::isfinite(distance))
+  {
+    return "the focal point is too far from the position " + text(camera.position);
+  }
+  if (distance < 1e-18) // VTK moves the focal point then
   {
     return "the position is the focal point " + text(camera.focalPoint);
   }
@@ -182,11 +186,13 @@ std::string depthFault(vtkImageData* depth)
 }
 
 //------------------------------------------------------------------------------
-std::string sizeFault(vtkImageData* image, vtkImageData* other)
+std::string sizeFault(const std::string& name, vtkImageData* first, vtkImageData* other)
 {
-  const std::string expected = size(image);
-  const std::string found = size(other);
-  return expected == found ? "" : "expected the size of the image, " + expected + ", got " + found;
+  if (!first || !other || size(first) == size(other))
+  {
+    return "";
+  }
+  return "expected the size of the " + name + ", " + size(first) + ", got " + size(other);
 }
 
 //------------------------------------------------------------------------------

@@ -37,8 +37,10 @@ HACHUREFILTERS_EXPORT std::string imageFault(vtkImageData* image);
 // Of a depth image: one slice of 16 bits with one component.
 HACHUREFILTERS_EXPORT std::string depthFault(vtkImageData* depth);
 
-// Of a second image of a view: it must have the size of the view's picture.
-HACHUREFILTERS_EXPORT std::string sizeFault(vtkImageData* image, vtkImageData* other);
+// Of another image: it must have the size of the first, whose name in the message this is. Where
+// one is null there is no fault.
+HACHUREFILTERS_EXPORT std::string sizeFault(
+  const std::string& name, vtkImageData* first, vtkImageData* other);
 
 // Width over height.
 double aspect(vtkImageData* image);

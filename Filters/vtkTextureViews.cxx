@@ -21,7 +21,7 @@ using Data = vtkSmartPointer<vtkImageData>;
 /** Whether two images, or none, are equal pixel by pixel. */
 bool same(vtkImageData* one, vtkImageData* other)
 {
-  if (one == other || !one || !other || !hachure::sizeFault(one, other).empty())
+  if (one == other || !one || !other || !hachure::sizeFault("", one, other).empty())
   {
     return one == other;
   }

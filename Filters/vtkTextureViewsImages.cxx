@@ -10,12 +10,6 @@
 namespace
 {
 
-/** Of other images of a view, which must have the picture's size. */
-std::string pairFault(vtkImageData* picture, vtkImageData* other)
-{
-  return other ? hachure::sizeFault(picture, other) : "";
-}
-
 std::string rangeFault(double nearest, double farthest)
 {
   const bool valid = std::isfinite(nearest) && std::isfinite(farthest) && nearest < farthest;
@@ -31,8 +25,8 @@ void vtkTextureViews::SetViewImage(int view, vtkImageData* image)
 {
   View* found = this->ViewAt(view, "SetViewImage");
   if (!found || this->Refuses("SetViewImage", hachure::imageFault(image)) ||
-    this->Refuses("SetViewImage", pairFault(found->mask.data, image)) ||
-    this->Refuses("SetViewImage", pairFault(found->depth.data, image)))
+    this->Refuses("SetViewImage", hachure::sizeFault("mask", found->mask.data, image)) ||
+    this->Refuses("SetViewImage", hachure::sizeFault("depth image", found->depth.data, image)))
   {
     return;
   }
@@ -57,7 +51,7 @@ void vtkTextureViews::SetViewMask(int view, vtkImageData* mask)
 {
   View* found = this->ViewAt(view, "SetViewMask");
   if (!found || (mask && this->Refuses("SetViewMask", hachure::imageFault(mask))) ||
-    this->Refuses("SetViewMask", pairFault(found->picture.data, mask)))
+    this->Refuses("SetViewMask", hachure::sizeFault("image", found->picture.data, mask)))
   {
     return;
   }
@@ -78,7 +72,7 @@ void vtkTextureViews::SetViewDepth(int view, vtkImageData* depth, double nearest
 {
   View* found = this->ViewAt(view, "SetViewDepth");
   if (!found || (depth && this->Refuses("SetViewDepth", hachure::depthFault(depth))) ||
-    this->Refuses("SetViewDepth", pairFault(found->picture.data, depth)) ||
+    this->Refuses("SetViewDepth", hachure::sizeFault("image", found->picture.data, depth)) ||
     this->Refuses("SetViewDepth", depth ? rangeFault(nearest, farthest) : ""))
   {
     return;

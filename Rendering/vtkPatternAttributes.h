@@ -70,8 +70,8 @@ struct vtkPatternAttributes
   bool operator==(const vtkPatternAttributes& other) const
   {
     return this->Surface == other.Surface && this->Colors == other.Colors &&
-      this->Outline == other.Outline && this->Patches == other.Patches && this->Runs == other.Runs &&
-      this->PrimitiveIds == other.PrimitiveIds;
+      this->Outline == other.Outline && this->Patches == other.Patches &&
+      this->Runs == other.Runs && this->PrimitiveIds == other.PrimitiveIds;
   }
 };
 

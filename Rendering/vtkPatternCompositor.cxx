@@ -20,6 +20,7 @@
 #include "Screens.h"
 #include "SurfacePattern.h"
 #include "ToneCurve.h"
+#include "ViewTexture.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternLayer.h"
 #include "vtkPatternPatches.h"
@@ -300,13 +301,13 @@ std::string vtkPatternCompositor::StackText(bool forward) const
   }
   const std::string declarations = this->Declarations(forward);
   const bool elsewhere = declarations.find("hachureColorAt") != std::string::npos;
+  const vtkPatternAttributes needed = this->GetAttributes();
   std::string text = std::string(Ink) + Mix + Lod + PatternField + SurfacePattern + PatchBlend +
-    ToneCurve + ProcessInks + PatternCompose;
+    ToneCurve + ProcessInks + (needed.Runs ? ViewTexture : "") + PatternCompose;
   if (forward && this->NeedsFields())
   {
     text.insert(0, std::string(Screens) + NoiseKernel); // fields that are made in the shader
   }
-  const vtkPatternAttributes needed = this->GetAttributes();
   vtkShaderProgram::Substitute(text, "//Hachure::Patches::Dec",
     needed.Patches ? std::string(PatternPatches) + PatternPatchRecords : std::string());
   vtkShaderProgram::Substitute(text, "//Hachure::Seen::Dec",

@@ -65,7 +65,7 @@ private:
   std::vector<std::pair<std::string, vtkPatternNumberBuffer*>> NumberBuffers();
 
   std::array<PrimitiveNumbers, vtkPatternToneChannels::Maximum> CellTones;
-  PrimitiveNumbers PrimitiveIds;    // of noises on translucent surfaces
+  PrimitiveNumbers PrimitiveIds; // of noises on translucent surfaces
   PrimitiveNumbers RunOfVertex;
   hachure::TrianglePatches Patches; // while buffers are built
   std::size_t VertexCount = 0;      // of these

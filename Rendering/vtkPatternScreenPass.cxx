@@ -100,8 +100,8 @@ std::string vtkPatternScreenPass::Text(
     surfaceImpl += vtkPattern::ShaderSection(PatternSurfaceImages, "PlaceImpl");
   }
   const std::pair<vtkPatternAttributes::Image, const char*> kinds[] = {
-    { vtkPatternAttributes::RUN, "Run" }, { vtkPatternAttributes::PATCH, "Patch" }, { vtkPatternAttributes::POINT, "Point" },
-    { vtkPatternAttributes::TEXTURE, "Texture" }
+    { vtkPatternAttributes::RUN, "Run" }, { vtkPatternAttributes::PATCH, "Patch" },
+    { vtkPatternAttributes::POINT, "Point" }, { vtkPatternAttributes::TEXTURE, "Texture" }
   };
   for (const auto& kind : kinds)
   {

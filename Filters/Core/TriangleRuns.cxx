@@ -11,8 +11,7 @@ namespace
 // Calls body(point, triangle) for every record, in any order of the points but an ascending one of
 // each point's triangles.
 template <class Body>
-void forRecords(
-  Span<const glm::ivec3> triangles, Span<const std::int32_t> facets, const Body& body)
+void forRecords(Span<const glm::ivec3> triangles, Span<const std::int32_t> facets, const Body& body)
 {
   std::vector<std::int32_t> corners;
   std::size_t end = 0;

@@ -156,11 +156,10 @@ bool ViewTextureBuffers::IsUsable() const
 
 void ViewTextureBuffers::SetUniforms(vtkShaderProgram* program, const std::string& number) const
 {
-  const std::pair<const char*, vtkTextureObject*> textures[] = {
-    { "hachureCellTriangles", this->Triangles.Texture },
+  const std::pair<const char*, vtkTextureObject*> textures[] = { { "hachureCellTriangles",
+                                                                   this->Triangles.Texture },
     { "hachureCellFrames", this->Frames.Texture }, { "hachureCellCharts", this->Charts.Texture },
-    { "hachureDependent", this->Dependent }, { "hachureIndependent", this->Independent }
-  };
+    { "hachureDependent", this->Dependent }, { "hachureIndependent", this->Independent } };
   for (const auto& texture : textures)
   {
     const std::string name = texture.first + number;

@@ -5,7 +5,6 @@
 #include "PatternStyleArchive.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkTextureViewsManifest.h"
 
 #include <algorithm>
 
@@ -43,11 +42,6 @@ vtkTextureViews* vtkViewTextureLayer::GetViews()
 bool vtkViewTextureLayer::ReadManifest(const std::string& fileName)
 {
   vtkNew<vtkTextureViews> views;
-  vtkNew<vtkTextureViewsManifest> manifest;
-  if (!manifest->Read(fileName.c_str(), views))
-  {
-    return false;
-  }
   this->SetViews(views);
   this->ManifestFileName = fileName;
   return true;

@@ -57,8 +57,7 @@ std::string vtkViewTextureLayerPainter::GetDeclarations(bool) const
 {
   const bool disk = this->Layer->GetViews()->GetHemisphereMap() == vtkTextureViews::DISK;
   std::string text = ViewTextureLayer;
-  vtkShaderProgram::Substitute(
-    text, "HEMISPHEREMAP", disk ? "hemisphereDisk" : "hemisphereSquare");
+  vtkShaderProgram::Substitute(text, "HEMISPHEREMAP", disk ? "hemisphereDisk" : "hemisphereSquare");
   vtkShaderProgram::Substitute(
     text, "HEMISPHERE", std::to_string(this->Layer->GetViews()->GetHemisphere()) + ".0");
   vtkShaderProgram::Substitute(text, "HASDEPENDENT", this->HasDependent() ? "1" : "0");
@@ -95,7 +94,8 @@ void vtkViewTextureLayerPainter::UpdateCells(vtkPatternSurface& surface)
         const int m = hachure::subdivisionsOf(cells->Cells.charts[chart], level);
         for (int i = 0; i < hachure::glsl::chartNodes(m); ++i)
         {
-          const glm::vec3 c(0.5f + 0.5f * std::sin(chart * 2.1f), 0.5f + 0.5f * std::sin(chart * 1.3f + 1), i < (1 << (2 * m)) ? 0.9f : 0.1f);
+          const glm::vec3 c(0.5f + 0.5f * std::sin(chart * 2.1f),
+            0.5f + 0.5f * std::sin(chart * 1.3f + 1), i < (1 << (2 * m)) ? 0.9f : 0.1f);
           all[first + i] = glm::u8vec4(glm::u8vec3(255.0f * c), 255);
         }
       }
@@ -123,7 +123,8 @@ void vtkViewTextureLayerPainter::UpdateView(const FieldScene& scene)
   const glm::dvec4 eye = glm::inverse(toClip) * glm::dvec4(0.0, 0.0, -1.0, 0.0);
   constexpr double farAway = 1e-9;
   const bool parallel = std::abs(eye.w) < farAway * glm::length(glm::dvec3(eye));
-  this->Viewer = parallel ? glm::vec4(glm::vec3(eye), 0.0f) : glm::vec4(glm::vec3(eye) / static_cast<float>(eye.w), 1.0f);
+  this->Viewer = parallel ? glm::vec4(glm::vec3(eye), 0.0f)
+                          : glm::vec4(glm::vec3(eye) / static_cast<float>(eye.w), 1.0f);
   this->Shape = { static_cast<float>(this->Cells->Cells.cellArea),
     static_cast<float>(this->Cells->Cells.finestLevel), 0.0f, 0.0f };
 }

@@ -4,6 +4,7 @@
 
 #include "Kernels.h"
 #include "ViewTextureLayer.h"
+#include "ViewTextureLevel.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureViews.h"
@@ -125,8 +126,15 @@ void vtkViewTextureLayerPainter::UpdateView(const FieldScene& scene)
   const bool parallel = std::abs(eye.w) < farAway * glm::length(glm::dvec3(eye));
   this->Viewer = parallel ? glm::vec4(glm::vec3(eye), 0.0f)
                           : glm::vec4(glm::vec3(eye) / static_cast<float>(eye.w), 1.0f);
-  this->Shape = { static_cast<float>(this->Cells->Cells.cellArea),
-    static_cast<float>(this->Cells->Cells.finestLevel), 0.0f, 0.0f };
+  const double cellArea = this->Cells->Cells.cellArea;
+  const glm::dvec2 logicalSize =
+    glm::dvec2(scene.Viewport[2], scene.Viewport[3]) / this->CurrentScene.PixelsPerLogical;
+  const bool one = this->Layer->GetLevel() == vtkViewTextureLayer::ONE;
+  const double level = one
+    ? hachure::levelOfSurface(scene.Surface->Mesh(), scene.ModelToClip, logicalSize, cellArea)
+    : 0.0;
+  this->Shape = { static_cast<float>(cellArea), static_cast<float>(this->Cells->Cells.finestLevel),
+    0.0f, one ? 1.0f + static_cast<float>(std::max(level, 0.0)) : 0.0f };
 }
 
 std::string vtkViewTextureLayerPainter::DrawField(const FieldScene& scene, int)

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewCoverage.h"
+
+#include "Kernels.h"
+#include "Parallel.h"
+#include "SurfaceRaster.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hachure
+{
+namespace
+{
+double depthOf(const SurfaceRaster& raster, const SurfaceCells& cells)
+{
+  constexpr double pixelsInOne = 4.0; // of the raster in the image's
+  const double pixels = static_cast<double>(raster.pixels) / pixelsInOne;
+  const double ofCell = pixels * cells.cellArea / std::max(raster.area, 1e-300);
+  const double depth = 0.5 * std::log2(std::clamp(ofCell, 1e-12, 1e30));
+  return std::clamp(depth, 0.0, static_cast<double>(cells.finestLevel));
+}
+
+std::vector<ViewCoverage::Level> levelsOf(double depth)
+{
+  const int below = static_cast<int>(std::floor(depth));
+  const double above = depth - below;
+  std::vector<ViewCoverage::Level> levels(above > 0.0 ? 2 : 1);
+  levels[0].number = below;
+  levels[0].share = 1.0 - above;
+  if (above > 0.0)
+  {
+    levels[1].number = below + 1;
+    levels[1].share = above;
+  }
+  return levels;
+}
+
+// Where the pixels of a raster lie on the charts.
+std::vector<ChartPlace> placesOf(const SurfaceRaster& raster, const SurfaceCells& cells)
+{
+  std::vector<ChartPlace> places(raster.triangles.size());
+  parallelFor(static_cast<std::int64_t>(places.size()),
+    [&](std::int64_t i)
+    {
+      const auto pixel = static_cast<std::size_t>(i);
+      if (raster.triangles[pixel] < 0)
+      {
+        return;
+      }
+      const auto triangle = static_cast<std::size_t>(raster.triangles[pixel]);
+      const std::array<glm::vec2, 3>& corners = cells.places[triangle];
+      const glm::vec2& weights = raster.weights[pixel];
+      places[pixel] = placeInside(cells,
+        { cells.chartOfTriangle[triangle],
+          (1.0f - weights.x - weights.y) * corners[0] + weights.x * corners[1] +
+            weights.y * corners[2] });
+    });
+  return places;
+}
+
+// The cells in the quarters of a pixel, each once, with how often they are there.
+struct Quarters
+{
+  std::array<std::int32_t, 4> cells{};
+  std::array<std::uint32_t, 4> times{};
+  std::size_t count = 0;
+
+  void add(std::int32_t cell)
+  {
+    std::size_t i = 0;
+    while (i < this->count && this->cells[i] != cell)
+    {
+      ++i;
+    }
+    if (i == this->count)
+    {
+      this->cells[this->count++] = cell;
+      this->times[i] = 0;
+    }
+    ++this->times[i];
+  }
+};
+
+Quarters quartersOf(Span<const ChartPlace> places, const CellLayer& layer, std::size_t width,
+  std::size_t column, std::size_t row)
+{
+  Quarters quarters;
+  for (std::size_t quarter = 0; quarter < 4; ++quarter)
+  {
+    const ChartPlace& place =
+      places[(2 * row + quarter / 2) * 2 * width + 2 * column + quarter % 2];
+    if (place.chart >= 0)
+    {
+      quarters.add(layer.cellAt(place));
+    }
+  }
+  return quarters;
+}
+
+// Counts, then fills.
+void listPixels(Span<const ChartPlace> places, const CellLayer& layer, const TextureView& view,
+  ViewCoverage::Level& level)
+{
+  const auto width = static_cast<std::size_t>(view.width);
+  const std::size_t pixels = width * static_cast<std::size_t>(view.height);
+  std::vector<Quarters> all(pixels);
+  parallelFor(static_cast<std::int64_t>(pixels),
+    [&](std::int64_t i)
+    {
+      const auto pixel = static_cast<std::size_t>(i);
+      all[pixel] = quartersOf(places, layer, width, pixel % width, pixel / width);
+    });
+  std::vector<std::uint32_t> place(static_cast<std::size_t>(layer.size()), 0);
+  for (const Quarters& quarters : all)
+  {
+    for (std::size_t i = 0; i < quarters.count; ++i)
+    {
+      ++place[static_cast<std::size_t>(quarters.cells[i])];
+    }
+  }
+  std::uint32_t end = 0;
+  for (std::size_t cell = 0; cell < place.size(); ++cell)
+  {
+    const std::uint32_t count = place[cell];
+    place[cell] = end;
+    if (count > 0)
+    {
+      level.cells.push_back(static_cast<std::int32_t>(cell)); // NOLINT: few of them
+      level.first.push_back(end);                             // NOLINT
+    }
+    end += count;
+  }
+  level.first.push_back(end);
+  level.pixels.resize(end);
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+  {
+    const Quarters& quarters = all[pixel];
+    for (std::size_t i = 0; i < quarters.count; ++i)
+    {
+      CoveredPixel& covered = level.pixels[place[static_cast<std::size_t>(quarters.cells[i])]++];
+      covered.pixel = static_cast<std::uint32_t>(pixel) & ((1u << 30) - 1u);
+      covered.quartersLessOne = (quarters.times[i] - 1u) & 3u;
+    }
+  }
+}
+} // namespace
+
+ViewCoverage viewCoverage(
+  const TriangleMesh& mesh, Span<const CellLayer> layers, const TextureView& view)
+{
+  ViewCoverage coverage;
+  if (layers.empty() || layers.front().size() == 0)
+  {
+    return coverage;
+  }
+  const SurfaceCells& cells = layers.front().surface();
+  const SurfaceRaster raster =
+    rasterOf(mesh, cells.chartOfTriangle, view.modelToClip, 2 * view.width, 2 * view.height);
+  if (raster.pixels == 0)
+  {
+    return coverage;
+  }
+  coverage.depth = depthOf(raster, cells);
+  coverage.levels = levelsOf(coverage.depth);
+  const std::vector<ChartPlace> places = placesOf(raster, cells);
+  for (ViewCoverage::Level& level : coverage.levels)
+  {
+    listPixels(places, layers[static_cast<std::size_t>(level.number)], view, level);
+  }
+  return coverage;
+}
+
+} // namespace hachure

@@ -22,7 +22,8 @@ namespace
 // rounding.
 constexpr double leastSine = 1e-9;
 
-// Degrees; VTK's cameras end soon after.
+// Degrees; VTK's cameras go a little further down.
+constexpr double leastViewAngle = 1e-6;
 constexpr double greatestViewAngle = 179.0;
 
 std::string text(const double vector[3])
@@ -140,10 +141,10 @@ std::string cameraFault(const ViewCamera& camera)
   }
   std::ostringstream out;
   if (camera.parallel ? !(camera.parallelScale > 0.0 && std::isfinite(camera.parallelScale))
-                      : !(camera.viewAngle > 0.0 && camera.viewAngle <= greatestViewAngle))
+                      : !(camera.viewAngle >= leastViewAngle && camera.viewAngle <= greatestViewAngle))
   {
     out << (camera.parallel ? "expected a parallel scale above 0, got "
-                            : "expected a view angle above 0 and up to 179 degrees, got ")
+                            : "expected a view angle of 1e-6 to 179 degrees, got ")
         << (camera.parallel ? camera.parallelScale : camera.viewAngle);
   }
   return out.str();

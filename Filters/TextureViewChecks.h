@@ -22,7 +22,7 @@ struct ViewCamera
   double focalPoint[3] = { 0.0, 0.0, 0.0 };
   double viewUp[3] = { 0.0, 1.0, 0.0 };
   bool parallel = false;
-  double viewAngle = 30.0;    // vertical, degrees, above 0 and up to 179; of perspective cameras
+  double viewAngle = 30.0;    // vertical, 1e-6 to 179 degrees; of perspective cameras
   double parallelScale = 1.0; // half the height of the picture, above 0; of parallel cameras
 };
 

@@ -70,8 +70,8 @@ public:
   /**
    * Appends an independent view and returns its index, or -1 after an error.
    *
-   * Of the camera count position, focal point, view up, and the vertical view angle (above 0, up to
-   * 179 degrees) or the parallel scale (above 0). These are copied; the camera sees a picture of
+   * Of the camera count position, focal point, view up, and the vertical view angle (1e-6 to 179
+   * degrees) or the parallel scale (above 0). These are copied; the camera sees a picture of
    * the width and height of the image. The focal point must differ from the position, and the view
    * up must point across the direction of view.
    *

@@ -8,6 +8,7 @@
 #include "vtkImageReader2Factory.h"
 #include "vtkNew.h"
 #include "vtkPNGReader.h"
+#include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 
 #include "vtksys/FStream.hxx"
@@ -32,6 +33,16 @@ vtkSmartPointer<vtkImageReader2> findReader(const std::string& fileName)
   vtkImageReader2* reader = vtkImageReader2Factory::CreateImageReader2(fileName.c_str());
   vtkObject::SetGlobalWarningDisplay(shown);
   return vtkSmartPointer<vtkImageReader2>::Take(reader);
+}
+
+/** Keeps the errors of a reader or writer off the screen. */
+void noteErrors(vtkObject* object, bool& failed)
+{
+  vtkNew<vtkCallbackCommand> onError;
+  onError->SetClientData(&failed);
+  onError->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { *static_cast<bool*>(data) = true; });
+  object->AddObserver(vtkCommand::ErrorEvent, onError);
 }
 
 /** VTK's PNG reader crashes on a file that was cut off, so look for the chunk that ends it. */
@@ -65,11 +76,7 @@ vtkSmartPointer<vtkImageData> readPatternImage(const std::string& fileName)
     fail(fileName, "the file is damaged");
   }
   bool failed = false;
-  vtkNew<vtkCallbackCommand> onError;
-  onError->SetClientData(&failed);
-  onError->SetCallback(
-    [](vtkObject*, unsigned long, void* data, void*) { *static_cast<bool*>(data) = true; });
-  reader->AddObserver(vtkCommand::ErrorEvent, onError);
+  noteErrors(reader, failed);
   reader->SetFileName(fileName.c_str());
   reader->Update();
   vtkSmartPointer<vtkImageData> image = reader->GetOutput();
@@ -83,6 +90,21 @@ vtkSmartPointer<vtkImageData> readPatternImage(const std::string& fileName)
       "expected one slice, got " + std::to_string(image->GetDimensions()[2]) + " of them");
   }
   return image;
+}
+
+//------------------------------------------------------------------------------
+void writePatternImage(vtkImageData* image, const std::string& fileName)
+{
+  bool failed = false;
+  vtkNew<vtkPNGWriter> writer;
+  noteErrors(writer, failed);
+  writer->SetInputData(image);
+  writer->SetFileName(fileName.c_str());
+  writer->Write();
+  if (failed || writer->GetErrorCode() != 0)
+  {
+    throw std::runtime_error("cannot write the image \"" + fileName + "\"");
+  }
 }
 
 //------------------------------------------------------------------------------

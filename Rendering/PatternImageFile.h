@@ -15,6 +15,12 @@ namespace hachure
 /** Reads a picture of one slice; throws std::runtime_error naming the file and the reason. */
 vtkSmartPointer<vtkImageData> readPatternImage(const std::string& fileName);
 
+/**
+ * Writes an image of 8 or 16 bits as PNG, whatever the file is called; throws std::runtime_error
+ * naming the file.
+ */
+void writePatternImage(vtkImageData* image, const std::string& fileName);
+
 /** The mean of the colour components of every pixel, row by row from the bottom. */
 struct GreyImage
 {

@@ -25,25 +25,6 @@ std::string shortText(double value)
   return buffer;
 }
 
-const char* typeName(const Json::Value& value)
-{
-  switch (value.type())
-  {
-    case Json::nullValue:
-      return "null";
-    case Json::booleanValue:
-      return "a truth value";
-    case Json::stringValue:
-      return "a text";
-    case Json::arrayValue:
-      return "a list";
-    case Json::objectValue:
-      return "an object";
-    default:
-      return "a number";
-  }
-}
-
 std::string joined(const std::vector<std::string>& names, const char* quote)
 {
   std::string text;
@@ -123,7 +104,7 @@ std::string StyleArchive::pathOf(const std::string& key) const
 void StyleArchive::fail(const std::string& key, const std::string& reason) const
 {
   const std::string where = this->pathOf(key);
-  throw StyleError((where.empty() ? "style" : where) + ": " + reason);
+  throw StyleError((where.empty() ? this->session.name : where) + ": " + reason);
 }
 
 //------------------------------------------------------------------------------
@@ -250,15 +231,7 @@ double StyleArchive::readLength(const char* key, NumberRange range, int& unit)
 //------------------------------------------------------------------------------
 void StyleArchive::readNumbers(const char* key, double* values, int count, NumberRange range)
 {
-  const Json::Value& list = this->node[key];
-  if (!list.isArray() || static_cast<int>(list.size()) != count)
-  {
-    this->fail(key, "expected a list of " + std::to_string(count) + " numbers");
-  }
-  for (int i = 0; i < count; ++i)
-  {
-    values[i] = this->checkNumber(key + ("[" + std::to_string(i) + "]"), list[i], range);
-  }
+  this->numbers(key, this->node[key], values, count, range);
 }
 
 //------------------------------------------------------------------------------
@@ -333,14 +306,33 @@ void StyleArchive::writeLength(const char* key, double value, int unit)
 }
 
 //------------------------------------------------------------------------------
-void StyleArchive::writeNumbers(const char* key, const double* values, int count)
+void StyleArchive::numbers(
+  const std::string& key, Json::Value& list, double* variables, int count, NumberRange range)
 {
-  Json::Value list(Json::arrayValue);
+  if (!this->isReading())
+  {
+    list = Json::arrayValue;
+    for (int i = 0; i < count; ++i)
+    {
+      list.append(this->encodeNumber(key, variables[i]));
+    }
+    return;
+  }
+  if (!list.isArray() || static_cast<int>(list.size()) != count)
+  {
+    this->fail(key, "expected a list of " + std::to_string(count) + " numbers");
+  }
   for (int i = 0; i < count; ++i)
   {
-    list.append(this->encodeNumber(key, values[i]));
+    variables[i] = this->checkNumber(key + ("[" + std::to_string(i) + "]"), list[i], range);
   }
-  this->node[key] = list;
+}
+
+//------------------------------------------------------------------------------
+void StyleArchive::writeNumbers(const char* key, const double* values, int count)
+{
+  std::vector<double> copy(values, values + count);
+  this->numbers(key, this->node[key], copy.data(), count, anyNumber);
 }
 
 //------------------------------------------------------------------------------

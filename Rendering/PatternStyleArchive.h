@@ -8,25 +8,19 @@
 // is checked and set, and a key that the description does not list is an error. Writing: every
 // listed key is stored. What is written therefore reads back to the same values.
 
+#include "JsonText.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtk_jsoncpp.h"
 
+#include <array>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace hachure
 {
-
-/** A style that cannot be read or written; the text is "path in the style: reason". */
-class StyleError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
 
 /** Least and greatest value of a parameter, both allowed. */
 struct NumberRange
@@ -42,6 +36,7 @@ constexpr NumberRange anyNumber = { -std::numeric_limits<double>::max(),
 struct StyleSession
 {
   bool reading = true;
+  std::string name = "style"; // what messages about the whole call it
   std::string folder;         // names of files in the style are relative to it
   double dotsPerInch = 96.0;  // of every length in millimetres
   std::string dotsPerInchKey; // what stated it first when reading; empty when nothing did
@@ -181,6 +176,59 @@ public:
     }
   }
 
+  ///@{
+  /** The same of plain variables. An enumeration: names[value] is the text that stands for it. */
+  void value(const char* key, double& variable, NumberRange range = anyNumber);
+  void value(const char* key, int& variable, NumberRange range);
+  void value(const char* key, std::string& variable);
+  void value(const char* key, int& variable, const std::vector<std::string>& names);
+  template <std::size_t Size>
+  void value(const char* key, std::array<double, Size>& variable, NumberRange range = anyNumber)
+  {
+    this->numbers(key, variable.data(), Size, range);
+  }
+  template <std::size_t Size>
+  void value(
+    const char* key, std::vector<std::array<double, Size>>& variable, NumberRange range = anyNumber)
+  {
+    if (this->has(key))
+    {
+      Json::Value& items = this->startList(key, variable.size());
+      variable.resize(items.size());
+      for (Json::ArrayIndex i = 0; i < items.size(); ++i)
+      {
+        const std::string item = key + ("[" + std::to_string(i) + "]");
+        this->numbers(item, items[i], variable[i].data(), Size, range);
+      }
+    }
+  }
+  void numbers(const char* key, double* variables, int count, NumberRange range = anyNumber);
+  ///@}
+
+  /** Reading: fails where the object does not have the key. */
+  void require(const char* key);
+
+  /** The version of the format, which must be there and be this one. */
+  void version(const char* key, int expected);
+
+  /** A list of objects; body gets the archive of each and the element that it describes. */
+  template <class Element, class Body>
+  void list(const char* key, std::vector<Element>& elements, Body&& body)
+  {
+    if (!this->has(key))
+    {
+      return;
+    }
+    Json::Value& items = this->startList(key, elements.size());
+    elements.resize(items.size());
+    for (Json::ArrayIndex i = 0; i < items.size(); ++i)
+    {
+      StyleArchive inner(
+        this->session, items[i], this->pathOf(key) + ("[" + std::to_string(i) + "]"));
+      inner.describe([&](StyleArchive& item) { body(item, elements[i]); });
+    }
+  }
+
   /** The name of a picture file, which is read; an image without a file cannot be written. */
   void imageFile(const char* key, vtkSmartPointer<vtkImageData>& image, std::string& imageFileName);
 
@@ -211,10 +259,11 @@ public:
   void writeText(const char* key, const std::string& value);
   /** The dots per inch of lengths in millimetres, as a parameter of its own. */
   void resolution(const char* key);
-  /** The value under a key that has() has announced. */
-  Json::Value& member(const char* key) { return this->node[key]; }
 
 private:
+  Json::Value& startList(const char* key, std::size_t size);
+  void numbers(
+    const std::string& key, Json::Value& list, double* variables, int count, NumberRange range);
   double readNumber(const char* key, NumberRange range);
   double checkNumber(const std::string& key, const Json::Value& value, NumberRange range) const;
   void writeNumber(const char* key, double value);

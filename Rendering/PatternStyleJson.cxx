@@ -10,21 +10,16 @@
 #include "vtkStippleLayer.h"
 #include "vtkViewTextureLayer.h"
 
-#include <algorithm>
 #include <limits>
-#include <memory>
-#include <utility>
 
 namespace
 {
 
 using hachure::StyleArchive;
-using hachure::StyleError;
 using hachure::StyleSession;
 using LayerPointer = vtkSmartPointer<vtkPatternLayer>;
 
 constexpr int formatVersion = 1;
-constexpr hachure::NumberRange anyVersion = { -1e9, 1e9 };
 constexpr hachure::NumberRange anySeed = { 0.0, std::numeric_limits<vtkTypeUInt32>::max() };
 
 struct LayerType
@@ -173,81 +168,12 @@ void describePaper(StyleArchive& archive, vtkPatternStyle* style)
 }
 
 //------------------------------------------------------------------------------
-void describeVersion(StyleArchive& archive)
-{
-  if (!archive.isReading())
-  {
-    archive.writeInteger("hachure", formatVersion);
-    return;
-  }
-  if (!archive.has("hachure"))
-  {
-    archive.fail("hachure", "missing; a style states its version as \"hachure\": 1");
-  }
-  const vtkTypeInt64 version = archive.readInteger("hachure", anyVersion);
-  if (version != formatVersion)
-  {
-    archive.fail("hachure", "version " + std::to_string(version) + " is unknown; expected 1");
-  }
-}
-
-//------------------------------------------------------------------------------
-void describeLayers(StyleArchive& archive, std::vector<LayerPointer>& layers)
-{
-  if (!archive.has("layers"))
-  {
-    return;
-  }
-  Json::Value& list = archive.member("layers");
-  if (!archive.isReading())
-  {
-    list = Json::Value(Json::arrayValue);
-    list.resize(static_cast<Json::ArrayIndex>(layers.size()));
-  }
-  else if (!list.isArray())
-  {
-    archive.fail("layers", "expected a list of layers");
-  }
-  layers.resize(list.size());
-  for (Json::ArrayIndex i = 0; i < list.size(); ++i)
-  {
-    StyleArchive inner(archive.getSession(), list[i], "layers[" + std::to_string(i) + "]");
-    inner.describe([&](StyleArchive& layer) { describeLayer(layer, layers[i]); });
-  }
-}
-
-//------------------------------------------------------------------------------
 void describeSettings(StyleArchive& archive, vtkPatternStyle* style)
 {
-  describeVersion(archive);
+  archive.version("hachure", formatVersion);
   archive.group("paper", [&](StyleArchive& paper) { describePaper(paper, style); });
   archive.group("outline", [&](StyleArchive& outline) { describeOutline(outline, style); });
   archive.group("tracking", [&](StyleArchive& tracking) { describeTracking(tracking, style); });
-}
-
-//------------------------------------------------------------------------------
-Json::Value parse(const std::string& text)
-{
-  Json::CharReaderBuilder builder;
-  Json::CharReaderBuilder::strictMode(&builder.settings_);
-  const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
-  Json::Value root;
-  std::string errors;
-  bool valid = false;
-  try
-  {
-    valid = reader->parse(text.data(), text.data() + text.size(), &root, &errors);
-  }
-  catch (const std::exception& error) // such as nesting without end
-  {
-    errors = error.what();
-  }
-  if (!valid)
-  {
-    std::replace(errors.begin(), errors.end(), '\n', ' ');
-    throw StyleError("style: not valid JSON: " + errors);
-  }
-  return root;
 }
 
 //------------------------------------------------------------------------------
@@ -272,8 +198,8 @@ namespace hachure
 //------------------------------------------------------------------------------
 void readStyle(const std::string& text, const std::string& folder, vtkPatternStyle* style)
 {
-  Json::Value root = parse(text);
   StyleSession session;
+  Json::Value root = parseJson(text, session.name);
   session.folder = folder;
   StyleArchive archive(session, root, "");
   // Everything is read into a new style first: keys that are absent mean the defaults, and an
@@ -285,7 +211,7 @@ void readStyle(const std::string& text, const std::string& folder, vtkPatternSty
     [&](StyleArchive& top)
     {
       describeSettings(top, fresh);
-      describeLayers(top, layers);
+      top.list("layers", layers, describeLayer);
     });
   copySettings(fresh, style);
   style->SetDotsPerInch(session.dotsPerInch);
@@ -312,11 +238,8 @@ std::string writeStyle(vtkPatternStyle* style, const std::string& folder)
   Json::Value root(Json::objectValue);
   StyleArchive archive(session, root, "");
   describeSettings(archive, style);
-  describeLayers(archive, layers);
-  Json::StreamWriterBuilder builder;
-  builder["indentation"] = "  ";
-  builder["precision"] = session.digits;
-  return Json::writeString(builder, root) + "\n";
+  archive.list("layers", layers, describeLayer);
+  return jsonText(root, session.digits);
 }
 
 } // namespace hachure

@@ -3,6 +3,7 @@
 #include "vtkPatternSurface.h"
 
 #include "Random.h"
+#include "SurfaceCharts.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -292,7 +293,7 @@ std::shared_ptr<vtkPatternSurface::CellSet> vtkPatternSurface::Cells(const CellK
     options.finestLevel = key.FinestLevel;
     options.mostNodes = key.MostNodes;
     CellSet set;
-    set.Cells = hachure::trianglesAsCells(mesh, options);
+    set.Cells = hachure::surfaceCells(mesh, options);
     set.First = hachure::surfaceFrames(mesh, set.Cells);
     set.Move(mesh, state.Positions);
     found = state.Cells.emplace(key, std::move(set)).first;

@@ -5,6 +5,7 @@
 #include "PatternStyleArchive.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkTextureViewsManifest.h"
 
 #include <algorithm>
 
@@ -42,6 +43,11 @@ vtkTextureViews* vtkViewTextureLayer::GetViews()
 bool vtkViewTextureLayer::ReadManifest(const std::string& fileName)
 {
   vtkNew<vtkTextureViews> views;
+  vtkNew<vtkTextureViewsManifest> manifest;
+  if (!manifest->Read(fileName.c_str(), views))
+  {
+    return false;
+  }
   this->SetViews(views);
   this->ManifestFileName = fileName;
   return true;

@@ -151,6 +151,7 @@ float hachureCoverage@(vec2 position, float tone)
   vec4 independent = mix(below.independent, above.independent, part);
   vec4 color = vec4(dependent.rgb + (1.0 - dependent.a) * independent.a * independent.rgb,
     dependent.a + (1.0 - dependent.a) * independent.a);
-  hachureViewColor@ = color.rgb / max(color.a, 1.0e-4);
+  // Bytes of pictures come out as they were: ink is linear by another curve than sRGB.
+  hachureViewColor@ = toLinear(encodedSrgb(color.rgb / max(color.a, 1.0e-4)));
   return color.a * clamp(tone, 0.0, 1.0);
 }

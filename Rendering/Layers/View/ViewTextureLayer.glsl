@@ -41,7 +41,8 @@ vec4 hachureIndependentAt@(int node)
 {
 #if HASINDEPENDENT
   int columns = int(hachureNodeImages@.y);
-  return texelFetch(hachureIndependent@, ivec2(node % columns, node / columns), 0);
+  // What nobody knows is grey.
+  return vec4(texelFetch(hachureIndependent@, ivec2(node % columns, node / columns), 0).rgb, 1.0);
 #else
   return vec4(0.0);
 #endif
@@ -119,6 +120,10 @@ int hachureFindChart@(int start, inout vec2 place)
 
 float hachureCoverage@(vec2 position, float tone)
 {
+  if (hachureCellShape@.x < 0.0)
+  {
+    return 0.0; // nothing could be made
+  }
   vec4 corners;
   vec4 places;
   vec3 weights;

@@ -254,6 +254,7 @@ std::string vtkViewTextureLayerPainter::DrawField(const FieldScene& scene, int)
   if (!this->Drawn)
   {
     this->Buffers.UploadNothing(this->Window);
+    this->Shape.x = -1.0f;
   }
   return problem;
 }

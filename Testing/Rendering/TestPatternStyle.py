@@ -370,7 +370,7 @@ def test_presets():
     assert names == [
         "hatch", "cross-hatch", "halftone", "cmyk", "painterly", "paper", "stipple", "stipple-white",
         "stipple-two-inks", "gabor", "phasor", "spot", "noise-stipple", "noise-hatch", "noise-cross-hatch", "graphite", "ink", "watercolour",
-        "felt-tip", "brush", "engraving"], names
+        "felt-tip", "brush", "engraving", "view"], names
     assert hachure.vtkPatternStyle.GetPresetName(count) is None
     assert hachure.vtkPatternStyle.GetDefaultPresetName() in names
     layer = hachure.vtkImagePatternLayer

@@ -4,11 +4,11 @@
 
 #include "Parallel.h"
 #include "SurfaceChartsPlaces.h"
+#include "SurfaceChartsSmooth.h"
 
 #include <glm/geometric.hpp>
 
 #include <cmath>
-#include <numeric>
 
 namespace hachure
 {
@@ -229,18 +229,26 @@ SurfaceCells surfaceCells(
   {
     return joinedTrianglesAsCells(mesh, options);
   }
-  const double area = areaOfAll(mesh) / options.baseCells;
+  // Of the time.
+  constexpr double collapsing = 0.7;
+  constexpr double smoothing = 0.2;
+  const auto within = [&](double start, double part)
+  {
+    return ProgressFn([&progress, start, part](double fraction)
+      { return !progress || progress(start + part * fraction); });
+  };
   CollapseOptions collapse;
   collapse.triangles = options.baseCells;
-  collapse.area = area;
-  collapse.progress = progress;
-  const BaseMesh base = collapseToBase(makeCornerMesh(mesh), collapse);
-  SurfaceCells cells;
-  if (!base.isStopped)
+  collapse.area = areaOfAll(mesh) / options.baseCells;
+  collapse.progress = within(0.0, collapsing);
+  BaseMesh base = collapseToBase(makeCornerMesh(mesh), collapse);
+  if (base.isStopped || !smoothHomes(base, within(collapsing, smoothing)))
   {
-    cells = ChartMaker(mesh, base).make(area * std::pow(0.25, options.finestLevel));
-    detail::numberNodes(cells, options);
+    return {};
   }
+  SurfaceCells cells =
+    ChartMaker(mesh, base).make(collapse.area * std::pow(0.25, options.finestLevel));
+  detail::numberNodes(cells, options);
   return cells;
 }
 

@@ -273,6 +273,7 @@ private:
     std::iota(made.points.begin(), made.points.end(), 0);
     made.positions.assign(this->mesh.points.begin(), this->mesh.points.end());
     made.isFrozen.assign(count, 0);
+    made.isBorder.assign(count, 0);
     std::vector<char> isKnown(made.vertices.size(), 0);
     for (std::size_t corner = 0; corner < made.vertices.size(); ++corner)
     {
@@ -295,6 +296,7 @@ private:
       made.points.push_back(point);
       made.positions.push_back(glm::dvec3(made.positions[indexOf(point)]));
       made.isFrozen.push_back(1);
+      made.isBorder.push_back(0);
       made.isFrozen[indexOf(point)] = 1;
     }
     made.cornerAt[indexOf(vertex)] = first;
@@ -307,6 +309,7 @@ private:
       corner = made.after(corner);
       isCut = isCut || corner == CornerMesh::cut;
     } while (corner >= 0 && corner != first);
+    made.isBorder[indexOf(vertex)] = corner < 0 ? 1 : 0;
     made.isFrozen[indexOf(vertex)] = made.isFrozen[indexOf(vertex)] != 0 || isCut ? 1 : 0;
   }
 

@@ -25,6 +25,7 @@ struct CornerMesh
 
   std::vector<glm::dvec3> positions;   // of vertices
   std::vector<std::int32_t> points;    // of vertices: equal where the surface was cut apart
+  std::vector<char> isBorder;          // vertices at a border or a cut
   std::vector<char> isFrozen;          // vertices at a cut
   std::vector<std::int32_t> cornerAt;  // of vertices: one of theirs, the first one at borders
   std::vector<std::int32_t> vertices;  // of corners; -1: the triangle is gone

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceChartsPlaces.h"
 
-#include "Kernels.h"
-
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 namespace hachure
@@ -17,11 +14,6 @@ std::size_t indexOf(std::int32_t number)
   return static_cast<std::size_t>(number);
 }
 
-glm::vec3 across(const glm::vec3& weights, std::int32_t corner, std::int32_t other)
-{
-  return glsl::weightsAcross(weights, corner % 3, other % 3, false);
-}
-
 // A base triangle that was reached, and how.
 struct Step
 {
@@ -29,6 +21,58 @@ struct Step
   std::int32_t corner; // of the triangle before, opposite to the rim; -1: the start
   std::size_t before;
 };
+
+// The rims on the way, by their corners on the side of the start, the last one first; empty: it is
+// too far.
+std::vector<std::int32_t> pathBetween(const CornerMesh& mesh, std::int32_t from, std::int32_t to)
+{
+  constexpr std::size_t mostSteps = 64; // about five rims away
+  std::vector<Step> steps(1, { from, -1, 0 });
+  for (std::size_t step = 0; step < steps.size() && steps.size() < mostSteps; ++step)
+  {
+    const std::int32_t first = 3 * steps[step].triangle;
+    for (std::int32_t corner = first; corner < first + 3; ++corner)
+    {
+      const std::int32_t other = mesh.opposite(corner);
+      if (other >= 0 && other / 3 == to)
+      {
+        std::vector<std::int32_t> path(1, corner);
+        for (std::size_t at = step; steps[at].corner >= 0; at = steps[at].before)
+        {
+          path.push_back(steps[at].corner);
+        }
+        return path;
+      }
+      const bool isNew = other >= 0 &&
+        std::none_of(steps.begin(), steps.end(),
+          [&](const Step& known) { return known.triangle == other / 3; });
+      if (isNew)
+      {
+        steps.push_back({ other / 3, corner, step });
+      }
+    }
+  }
+  return {};
+}
+
+// The corner of a triangle that another one is opposite to over its only common rim; -1: none.
+std::int32_t cornerTowards(const CornerMesh& mesh, std::int32_t from, std::int32_t to)
+{
+  std::int32_t found = -1;
+  for (std::int32_t corner = 3 * from; corner < 3 * from + 3; ++corner)
+  {
+    const std::int32_t other = mesh.opposite(corner);
+    if (other >= 0 && other / 3 == to)
+    {
+      if (found >= 0)
+      {
+        return -1;
+      }
+      found = corner;
+    }
+  }
+  return found;
+}
 
 class TrianglePlacer
 {
@@ -105,15 +149,15 @@ private:
     found.triangle = triangle;
     std::array<bool, 3> isKnown{};
     glm::vec2 known(1.0f / 3.0f);
-    for (int corner = 0; corner < 3; ++corner)
+    for (std::size_t corner = 0; corner < 3; ++corner)
     {
-      const auto index = static_cast<std::size_t>(corner);
-      const std::optional<glm::vec3> weights = this->weightsIn(triangle, vertices[corner]);
-      isKnown[index] = weights.has_value();
+      const std::optional<glm::dvec3> weights =
+        vertexWeightsIn(this->base, triangle, vertices[static_cast<int>(corner)]);
+      isKnown[corner] = weights.has_value();
       if (weights)
       {
-        found.corners[index] = glm::vec2(weights->y, weights->z);
-        known = found.corners[index];
+        found.corners[corner] = glm::vec2(weights->y, weights->z);
+        known = found.corners[corner];
       }
     }
     for (std::size_t corner = 0; corner < 3; ++corner)
@@ -127,96 +171,87 @@ private:
     return found;
   }
 
-  // Of a vertex, in the coordinates of a base triangle.
-  std::optional<glm::vec3> weightsIn(std::int32_t triangle, std::int32_t vertex) const
-  {
-    const VertexHome& home = this->base.homes[indexOf(vertex)];
-    if (home.triangle >= 0)
-    {
-      const glm::vec3 weights(glm::dvec3(1.0 - home.weights.x - home.weights.y, home.weights));
-      return this->unfold(weights, home.triangle, triangle);
-    }
-    VertexRing ring;
-    ring.find(this->base.mesh, vertex);
-    const auto own = std::find_if(ring.corners.begin(), ring.corners.end(),
-      [&](std::int32_t corner) { return corner / 3 == triangle; });
-    for (auto corner = own != ring.corners.end() ? own : ring.corners.begin();
-         corner != ring.corners.end(); ++corner)
-    {
-      glm::vec3 weights(0.0f);
-      weights[*corner % 3] = 1.0f;
-      const std::optional<glm::vec3> found = this->unfold(weights, *corner / 3, triangle);
-      if (found)
-      {
-        return found;
-      }
-    }
-    return std::nullopt;
-  }
-
-  std::optional<glm::vec3> unfold(glm::vec3 weights, std::int32_t from, std::int32_t to) const
-  {
-    if (from == to)
-    {
-      return weights;
-    }
-    std::vector<std::int32_t> path = this->pathBetween(std::min(from, to), std::max(from, to));
-    if (path.empty())
-    {
-      return std::nullopt;
-    }
-    if (from > to)
-    {
-      std::transform(path.begin(), path.end(), path.begin(),
-        [&](std::int32_t corner) { return this->base.mesh.opposite(corner); });
-    }
-    else
-    {
-      std::reverse(path.begin(), path.end());
-    }
-    for (const std::int32_t corner : path)
-    {
-      weights = across(weights, corner, this->base.mesh.opposite(corner));
-    }
-    return weights;
-  }
-
-  // The rims on the way, by their corners on the side of the start, the last one first; empty: it
-  // is too far.
-  std::vector<std::int32_t> pathBetween(std::int32_t from, std::int32_t to) const
-  {
-    constexpr std::size_t mostSteps = 64; // about five rims away
-    std::vector<Step> steps(1, { from, -1, 0 });
-    for (std::size_t step = 0; step < steps.size() && steps.size() < mostSteps; ++step)
-    {
-      for (std::int32_t corner = 3 * steps[step].triangle; corner < 3 * steps[step].triangle + 3;
-           ++corner)
-      {
-        const std::int32_t other = this->base.mesh.opposite(corner);
-        if (other >= 0 && other / 3 == to)
-        {
-          std::vector<std::int32_t> path(1, corner);
-          for (std::size_t at = step; steps[at].corner >= 0; at = steps[at].before)
-          {
-            path.push_back(steps[at].corner);
-          }
-          return path;
-        }
-        const bool isNew = other >= 0 &&
-          std::none_of(steps.begin(), steps.end(),
-            [&](const Step& known) { return known.triangle == other / 3; });
-        if (isNew)
-        {
-          steps.push_back({ other / 3, corner, step });
-        }
-      }
-    }
-    return {};
-  }
-
   const BaseMesh& base;
 };
 } // namespace
+
+glm::dvec3 weightsBeyond(const BaseMesh& base, const glm::dvec3& weights, std::int32_t corner)
+{
+  const int edge = corner % 3;
+  const int other = base.mesh.opposite(corner) % 3;
+  glm::dvec3 found;
+  found[other] = -weights[edge];
+  found[(other + 1) % 3] = weights[(edge + 2) % 3] + weights[edge];
+  found[(other + 2) % 3] = weights[(edge + 1) % 3] + weights[edge];
+  return found;
+}
+
+std::optional<glm::dvec3> weightsUnfolded(
+  const BaseMesh& base, const glm::dvec3& weights, std::int32_t from, std::int32_t to)
+{
+  if (from == to)
+  {
+    return weights;
+  }
+  const std::int32_t towards = cornerTowards(base.mesh, from, to);
+  if (towards >= 0)
+  {
+    return weightsBeyond(base, weights, towards);
+  }
+  std::vector<std::int32_t> path = pathBetween(base.mesh, std::min(from, to), std::max(from, to));
+  if (path.empty())
+  {
+    return std::nullopt;
+  }
+  if (from > to)
+  {
+    std::transform(path.begin(), path.end(), path.begin(),
+      [&](std::int32_t corner) { return base.mesh.opposite(corner); });
+  }
+  else
+  {
+    std::reverse(path.begin(), path.end());
+  }
+  glm::dvec3 found = weights;
+  for (const std::int32_t corner : path)
+  {
+    found = weightsBeyond(base, found, corner);
+  }
+  return found;
+}
+
+std::optional<glm::dvec3> vertexWeightsIn(
+  const BaseMesh& base, std::int32_t triangle, std::int32_t vertex)
+{
+  const VertexHome& home = base.homes[indexOf(vertex)];
+  if (home.triangle >= 0)
+  {
+    return weightsUnfolded(base, glm::dvec3(1.0 - home.weights.x - home.weights.y, home.weights),
+      home.triangle, triangle);
+  }
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    if (base.mesh.vertex(3 * triangle + corner) == vertex)
+    {
+      glm::dvec3 weights(0.0);
+      weights[corner] = 1.0;
+      return weights;
+    }
+  }
+  VertexRing ring;
+  ring.find(base.mesh, vertex);
+  for (const std::int32_t corner : ring.corners)
+  {
+    glm::dvec3 weights(0.0);
+    weights[corner % 3] = 1.0;
+    const std::optional<glm::dvec3> found = weightsUnfolded(base, weights, corner / 3, triangle);
+    if (found)
+    {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
 
 TrianglePlace placeTriangle(const BaseMesh& base, const glm::ivec3& vertices)
 {

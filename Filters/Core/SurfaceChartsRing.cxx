@@ -138,7 +138,6 @@ double FlatRing::score(const RingLimits& limits, int target, double mostShare) c
   {
     return 0.0;
   }
-  constexpr double leastFlat = 0.02; // below is too close to a triangle turned over
   const auto apex = static_cast<std::size_t>(target);
   double worst = 1.0;
   double sum = 0.0;
@@ -151,7 +150,7 @@ double FlatRing::score(const RingLimits& limits, int target, double mostShare) c
       const double quality =
         qualityOf(this->corners[apex], this->corners[one], this->corners[other]);
       // Slivers may become better ones.
-      isFine = isFine && flat > std::min(leastFlat, this->worstFlat) &&
+      isFine = isFine && flat > std::min(limits.flatQuality, this->worstFlat) &&
         quality > std::min(limits.quality, this->worstNow) &&
         this->keepsNormal(apex, one, other, limits.cosine);
       worst = std::min(worst, std::min(quality, flat));

@@ -137,10 +137,15 @@ void ViewTextureSurface::mixFromBelow(
     static_cast<float>(segments);
   const glsl::NodeMix mix = glsl::nodesAt(place, below.segmentsOf(chart));
   const NodeCells& lists = this->nodeCells(level - 1);
+  constexpr float leastWeight = 1e-6f; // what is less is rounding, of either sign
   shares.clear();
   const int numbers[3] = { mix.cell, mix.corner, mix.next };
   for (int i = 0; i < 3; ++i)
   {
+    if (mix.weights[i] < leastWeight)
+    {
+      continue;
+    }
     const auto node = static_cast<std::size_t>(below.firstLevelNodeOf(chart) + numbers[i]);
     for (std::int64_t j = lists.first[node]; j < lists.first[node + 1]; ++j)
     {

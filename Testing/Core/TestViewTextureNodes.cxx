@@ -5,6 +5,7 @@
 
 #include "Core/HemisphereTable.h"
 #include "Core/Kernels.h"
+#include "Core/SurfaceCharts.h"
 #include "Core/ViewCellColors.h"
 #include "Core/ViewTextureBase.h"
 #include "Core/ViewTextureSurface.h"
@@ -77,6 +78,59 @@ Surface squareWithSmallSide()
     square.triangles.end(), { { 2, 6, 3 }, { 2, 4, 6 }, { 4, 5, 6 }, { 5, 3, 6 } });
   return square;
 }
+// The colour of a place, from the nodes of a level.
+glm::vec4 colorAt(const CellLayer& layer, const std::vector<glm::vec4>& nodes, std::int32_t chart,
+  const glm::vec3& weights)
+{
+  const glsl::NodeMix mix = glsl::nodesAt(glm::vec2(weights.y, weights.z), layer.segmentsOf(chart));
+  const auto at = [&](int node)
+  { return nodes[static_cast<std::size_t>(layer.firstNode(chart) + node)]; };
+  return mix.weights.x * at(mix.cell) + mix.weights.y * at(mix.corner) +
+    mix.weights.z * at(mix.next);
+}
+
+// The largest difference between both sides of a chart's rim.
+float gapAround(const CellLayer& layer, const std::vector<glm::vec4>& nodes, std::int32_t chart)
+{
+  float most = 0.0f;
+  for (int edge = 0; edge < 3; ++edge)
+  {
+    const std::int32_t code = layer.surface()
+                                .charts[static_cast<std::size_t>(chart)]
+                                .neighbours[static_cast<std::size_t>(edge)];
+    for (int step = 0; code >= 0 && step <= 64; ++step)
+    {
+      glm::vec3 weights(0.0f);
+      weights[(edge + 1) % 3] = static_cast<float>(step) / 64.0f;
+      weights[(edge + 2) % 3] = 1.0f - weights[(edge + 1) % 3];
+      const glm::vec3 other = glsl::weightsAcross(weights, edge, code % 6 / 2, code % 2 == 1);
+      most = std::max(most,
+        glm::distance(
+          colorAt(layer, nodes, chart, weights), colorAt(layer, nodes, code / 6, other)));
+    }
+  }
+  return most;
+}
+
+// Whatever the colours of cells, the picture is the same on both sides of a rim, also where charts
+// of different numbers of cells meet.
+void expectContinuous(const Surface& surface, const SurfaceCells& cells)
+{
+  const ViewTextureSurface all(surface.mesh(), cells, surfaceFrames(surface.mesh(), cells));
+  for (int level = 0; level < all.levels(); ++level)
+  {
+    const CellLayer& layer = all.layer(level);
+    const ViewCellColors view = colorsOf(layer,
+      [](std::int32_t cell) { return glm::vec4(cell * 37 % 11 / 10.0f, cell % 3 / 2.0f, 0, 1); });
+    const std::vector<const ViewCellColors*> views = { &view };
+    const std::vector<glm::vec4> nodes = viewTextureBase(all, views, true);
+    for (std::size_t chart = 0; chart < cells.charts.size(); ++chart)
+    {
+      EXPECT_LT(gapAround(layer, nodes, static_cast<std::int32_t>(chart)), 1e-4f)
+        << level << " " << chart;
+    }
+  }
+}
 } // namespace
 
 TEST(ViewTextureNodes, HemispheresTurn)
@@ -141,54 +195,15 @@ TEST(ViewTextureNodes, WeightsOfNodesSumToOne)
   }
 }
 
-// Whatever the colours of cells, the picture is the same on both sides of a rim, also where charts
-// of different numbers of cells meet.
 TEST(ViewTextureNodes, PictureIsContinuousAcrossRims)
 {
   const Surface surface = squareWithSmallSide();
   SurfaceCellOptions options;
   options.baseCells = 12;
   options.finestLevel = 3;
-  SurfaceCells cells = trianglesAsCells(surface.mesh(), options);
+  const SurfaceCells cells = trianglesAsCells(surface.mesh(), options);
   ASSERT_NE(cells.charts[1].level, cells.charts[2].level);
-  const ViewTextureSurface all(surface.mesh(), cells, surfaceFrames(surface.mesh(), cells));
-  bool hasUnequal = false;
-  for (int level = 0; level <= 3; ++level)
-  {
-    const CellLayer& layer = all.layer(level);
-    const ViewCellColors view = colorsOf(layer,
-      [](std::int32_t cell) { return glm::vec4(cell * 37 % 11 / 10.0f, cell % 3 / 2.0f, 0, 1); });
-    const std::vector<const ViewCellColors*> views = { &view };
-    const std::vector<glm::vec4> nodes = viewTextureBase(all, views, true);
-    const auto colorAt = [&](std::int32_t chart, const glm::vec3& weights)
-    {
-      const glsl::NodeMix mix =
-        glsl::nodesAt(glm::vec2(weights.y, weights.z), layer.segmentsOf(chart));
-      const auto at = [&](int node)
-      { return nodes[static_cast<std::size_t>(layer.firstNode(chart) + node)]; };
-      return mix.weights.x * at(mix.cell) + mix.weights.y * at(mix.corner) +
-        mix.weights.z * at(mix.next);
-    };
-    for (std::size_t i = 0; i < cells.charts.size(); ++i)
-    {
-      const auto chart = static_cast<std::int32_t>(i);
-      for (int edge = 0; edge < 3; ++edge)
-      {
-        const std::int32_t code = cells.charts[i].neighbours[static_cast<std::size_t>(edge)];
-        for (int step = 0; code >= 0 && step <= 64; ++step)
-        {
-          hasUnequal = hasUnequal || layer.segmentsOf(chart) != layer.segmentsOf(code / 6);
-          glm::vec3 weights(0.0f);
-          weights[(edge + 1) % 3] = static_cast<float>(step) / 64.0f;
-          weights[(edge + 2) % 3] = 1.0f - weights[(edge + 1) % 3];
-          const glm::vec3 other = glsl::weightsAcross(weights, edge, code % 6 / 2, code % 2 == 1);
-          EXPECT_LT(glm::distance(colorAt(chart, weights), colorAt(code / 6, other)), 1e-4f)
-            << level << " " << chart << " " << edge << " " << step;
-        }
-      }
-    }
-  }
-  EXPECT_TRUE(hasUnequal);
+  expectContinuous(surface, cells);
 }
 
 // Parallel views fade with the direction alone. All of the sheet is seen by each, so that what is
@@ -275,6 +290,55 @@ TEST(ViewTextureNodes, DirectionsAgreeOnBothSidesOfRims)
     EXPECT_LT(most, 0.15f);
     EXPECT_LT(sum / count, 0.03f);
   }
+}
+
+// Of charts of many triangles, which reach over their rims: the pixels in which a cell is seen show
+// places around its own.
+TEST(ViewTextureNodes, PixelsShowTheirCellsOnFineMeshes)
+{
+  const Surface sphere = sphereOf(5);
+  SurfaceCellOptions options;
+  options.baseCells = 40;
+  const SurfaceCells cells = surfaceCells(sphere.mesh(), options);
+  ASSERT_LT(cells.charts.size(), 100u);
+  const ViewTextureSurface surface(sphere.mesh(), cells, surfaceFrames(sphere.mesh(), cells));
+  const TextureView view = viewFrom({ 1, 2, 3 }, glm::dvec3(0.0), 150, 150);
+  const ViewCoverage coverage = viewCoverage(sphere.mesh(), surface.allLayers(), view);
+  ASSERT_FALSE(coverage.levels.empty());
+  const glm::dmat4 back = glm::inverse(view.modelToClip);
+  for (const ViewCoverage::Level& level : coverage.levels)
+  {
+    const double size = std::sqrt(2.3 * cells.cellArea) * std::exp2(-level.number); // a side
+    double sum = 0.0, most = 0.0;
+    for (std::size_t i = 0; i < level.cells.size(); ++i)
+    {
+      double nearest = 1e9;
+      for (std::size_t j = level.first[i]; j < level.first[i + 1]; ++j)
+      {
+        const int pixel = static_cast<int>(level.pixels[j].pixel);
+        const glm::dvec4 ray = back *
+          glm::dvec4(2.0 * (pixel % 150 + 0.5) / 150.0 - 1.0,
+            2.0 * (pixel / 150 + 0.5) / 150.0 - 1.0, 0.0, 1.0);
+        const glm::dvec3 along = glm::normalize(glm::dvec3(ray) / ray.w - view.eye);
+        const glm::dvec3 to = surface.placeOfCell(level.number, level.cells[i]) - view.eye;
+        nearest = std::min(nearest, glm::length(to - glm::dot(to, along) * along));
+      }
+      sum += nearest;
+      most = std::max(most, nearest);
+    }
+    const double pixel = 2.0 * 0.37 * glm::length(view.eye) / 150.0;
+    EXPECT_LT(sum / static_cast<double>(level.cells.size()), 0.25 * size + 0.5 * pixel);
+    EXPECT_LT(most, 1.5 * size + pixel);
+  }
+}
+
+TEST(ViewTextureNodes, PictureOfAFineMeshIsContinuous)
+{
+  const Surface sphere = sphereOf(4);
+  SurfaceCellOptions options;
+  options.baseCells = 30;
+  options.finestLevel = 3;
+  expectContinuous(sphere, surfaceCells(sphere.mesh(), options));
 }
 
 // Ring by ring, over rims, but not into what is closed.

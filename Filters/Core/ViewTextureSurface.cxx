@@ -30,15 +30,6 @@ glm::quat turnAt(const SurfaceFrames& frames, const NodePlace& place)
   const float length = glm::length(sum);
   return length > 1e-6f ? sum / length : first;
 }
-
-void requireSize(std::size_t size, std::size_t wanted, const char* name, const char* what)
-{
-  if (size != wanted)
-  {
-    throw std::invalid_argument(std::string(name) + ": " + std::to_string(size) + " values for " +
-      std::to_string(wanted) + what);
-  }
-}
 } // namespace
 
 ViewTextureSurface::ViewTextureSurface(
@@ -62,16 +53,12 @@ ViewTextureSurface::ViewTextureSurface(
 
 void ViewTextureSurface::checkInput(const SurfaceFrames& frames) const
 {
+  checkSurfaceCells(this->mesh(), this->cells);
   const std::size_t count = this->triangles.size();
-  requireSize(this->cells.chartOfTriangle.size(), count, "cells.chartOfTriangle", " triangles");
-  requireSize(this->cells.places.size(), count, "cells.places", " triangles");
-  requireSize(frames.corners.size(), count, "frames.corners", " triangles");
-  requireSize(this->cells.firstNode.size(), this->cells.charts.size() + 1, "cells.firstNode",
-    " ends of charts");
-  if (this->cells.finestLevel < 0 || this->cells.finestLevel > maximumCellLevel)
+  if (frames.corners.size() != count)
   {
-    throw std::invalid_argument("cells.finestLevel is " + std::to_string(this->cells.finestLevel) +
-      "; expected 0 to " + std::to_string(maximumCellLevel));
+    throw std::invalid_argument("frames.corners: " + std::to_string(frames.corners.size()) +
+      " values for " + std::to_string(count) + " triangles");
   }
   const auto frameCount = static_cast<int>(frames.turns.size());
   for (std::size_t triangle = 0; triangle < count; ++triangle)
@@ -137,10 +124,15 @@ void ViewTextureSurface::mixFromBelow(
     static_cast<float>(segments);
   const glsl::NodeMix mix = glsl::nodesAt(place, below.segmentsOf(chart));
   const NodeCells& lists = this->nodeCells(level - 1);
+  constexpr float leastWeight = 1e-6f; // what is less is rounding, of either sign
   shares.clear();
   const int numbers[3] = { mix.cell, mix.corner, mix.next };
   for (int i = 0; i < 3; ++i)
   {
+    if (mix.weights[i] < leastWeight)
+    {
+      continue;
+    }
     const auto node = static_cast<std::size_t>(below.firstLevelNodeOf(chart) + numbers[i]);
     for (std::int64_t j = lists.first[node]; j < lists.first[node + 1]; ++j)
     {

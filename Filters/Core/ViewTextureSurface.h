@@ -38,7 +38,10 @@ public:
     return this->nodes[static_cast<std::size_t>(level)];
   }
   // Of nodes of all levels.
-  std::int64_t nodeCount() const { return this->cells.firstNode.back(); }
+  std::int64_t nodeCount() const
+  {
+    return this->cells.firstNode.empty() ? 0 : this->cells.firstNode.back();
+  }
   const glm::quat& turnOfNode(std::int64_t node) const
   {
     return this->turns[static_cast<std::size_t>(node)];

@@ -178,6 +178,7 @@ std::vector<ViewCamera> viewCameras(
   std::vector<ViewCamera> cameras;
   FittedCameras fitted(options, surface);
   const int given = static_cast<int>(options.cameras.size());
+  cameras.reserve(options.cameras.size());
   for (int i = 0; i < given; ++i)
   {
     cameras.push_back({ numbered("camera", i, given),

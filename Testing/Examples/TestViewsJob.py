@@ -4,6 +4,7 @@
 
 import json
 import os
+import shlex
 
 import hachure
 import numpy
@@ -165,3 +166,15 @@ for index in range(4):
     rows, columns = numpy.nonzero(covered)
     assert rows.min() > 0 and rows.max() < 119 and rows.max() - rows.min() > 100, "it fills it"
     assert 0.1 < covered.mean() < 0.6
+
+# The commands of the README.
+commands = [line for code in readme.blocks("sh") for line in code.splitlines()
+            if line.startswith("hachure-views ")]
+assert len(commands) == 2
+for line in commands:
+    words = [str(readme.ROOT / word) if word.startswith("Examples/") else word
+             for word in shlex.split(line)[1:]]
+    draw(*words, "--size", "64x48")
+assert load("views/views.json").GetNumberOfViews() == 6
+assert load("front/views.json").GetNumberOfExtremePoints(0) == 4
+assert array(load("front/views.json").GetViewMask(0)).any()

@@ -49,6 +49,7 @@ ValueOptions valueOptions(RenderOptions& result)
   return {
     { "--isovalue", [&](Text o, Text v) { result.isovalue = toIsovalue(o, v); } },
     { "--style", [&](Text, Text v) { result.style = v; } },
+    { "--views", [&](Text, Text v) { result.views = v; } },
     { "--array", [&](Text, Text v) { result.array = v; } },
     { "--orbit", [&](Text o, Text v) { result.orbit = toInteger(o, v, 1, LargestOrbit); } },
     { "--zoom", [&](Text o, Text v) { result.zoom = toZoom(o, v); } },
@@ -125,6 +126,7 @@ INPUT is read by its extension: .vtp .vtu .vti .vtm .stl .obj .ply .ex2 .nii .ni
 
   --isovalue V         scalar value of the isosurface; volumes need it
   --style NAME|FILE    a style of --list-styles, or a .json file (default cross-hatch)
+  --views FILE         manifest of views for the style's layers of view-dependent texture
   --array NAME         tone follows this array, its lowest value paper, its highest full ink
   --orbit N            N frames of one full turn
   --zoom A:B           magnification of the first and the last frame (default 1:1)

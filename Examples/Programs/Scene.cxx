@@ -14,6 +14,7 @@
 #include <vtkPatternTone.h>
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkViewTextureLayer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,27 @@ bool isFileName(const std::string& style)
 {
   return style.find('/') != std::string::npos ||
     (style.size() > 5 && style.compare(style.size() - 5, 5, ".json") == 0);
+}
+
+void readViews(vtkPatternStyle* style, const std::string& manifest)
+{
+  const ErrorCollector errors;
+  bool any = false;
+  for (int i = 0; i < style->GetNumberOfLayers(); ++i)
+  {
+    if (auto* layer = vtkViewTextureLayer::SafeDownCast(style->GetLayer(i)))
+    {
+      any = true;
+      if (!layer->ReadManifest(manifest))
+      {
+        throw UserError("cannot use views '" + manifest + "': " + errors.first());
+      }
+    }
+  }
+  if (!any)
+  {
+    throw UserError("--views: the style has no layer of view-dependent texture; see --style view");
+  }
 }
 
 void toneFollowsArray(vtkPatternStyle* style, const std::string& name, const ToneArray& array)
@@ -113,6 +135,10 @@ void Scene::makeStyle(const RenderOptions& options)
     {
       throw std::runtime_error("style '" + options.style + "' is broken: " + errors.first());
     }
+  }
+  if (!options.views.empty())
+  {
+    readViews(this->patternStyle, options.views);
   }
   this->patternStyle->SetPixelScale(options.supersample);
   this->patternStyle->SetFinalQuality(options.finalQuality);

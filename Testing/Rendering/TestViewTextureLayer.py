@@ -102,7 +102,7 @@ def test_what_nobody_knows_is_grey():
 
 def test_a_view_seen_from_its_own_camera_is_reproduced():
     for dependent in (False, True):
-        layer = view_layer(finest=6)
+        layer = view_layer(finest=5)
         picture = waves()
         add_view(layer, (0.0, 0.0, 3.0), image(picture), dependent, 60.0 if dependent else None)
         found = scene.draw(stage(scene.plane(3.0), layer)[2]).astype(float)

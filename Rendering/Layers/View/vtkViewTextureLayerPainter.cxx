@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkViewTextureLayerPainter.h"
 
+#include "BlendPoints.h"
 #include "Kernels.h"
 #include "TextureViewInput.h"
 #include "ViewTexture.h"
@@ -21,6 +22,11 @@
 #include <exception>
 #include <tuple>
 #include <utility>
+
+namespace
+{
+constexpr double farAway = 1e-9; // w of points at infinity, of their length
+} // namespace
 
 // The blended colours, and what they were made of.
 struct vtkViewTextureLayerPainter::Texture
@@ -212,6 +218,40 @@ void vtkViewTextureLayerPainter::UpdateColors(vtkPatternSurface& surface)
   }
 }
 
+namespace
+{
+glm::dvec3 PointOf(const glm::dmat4& toModel, double depth)
+{
+  const glm::dvec4 point = toModel * glm::dvec4(0.0, 0.0, depth, 1.0);
+  return glm::dvec3(point) / point.w;
+}
+
+// How much this camera sees of what is seen from everywhere. Cameras without perspective are where
+// their near plane is.
+double BaseShare(vtkTextureViews* views, const glm::dmat4& modelToClip, const glm::dvec3& center)
+{
+  std::vector<hachure::BlendPoint> points(
+    static_cast<std::size_t>(views->GetNumberOfBlendPoints()));
+  if (points.empty())
+  {
+    return 0.0;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const int index = static_cast<int>(i);
+    views->GetBlendPointPosition(index, &points[i].position[0]);
+    views->GetBlendPointDirection(index, &points[i].direction[0]);
+    points[i].share = views->GetBlendPointPercentage(index) / 100.0;
+  }
+  const glm::dmat4 toModel = glm::inverse(modelToClip);
+  const glm::dvec4 eye = toModel * glm::dvec4(0.0, 0.0, -1.0, 0.0);
+  const glm::dvec3 near = PointOf(toModel, -1.0);
+  const bool parallel = std::abs(eye.w) < farAway * glm::length(glm::dvec3(eye));
+  return hachure::BlendFunction(points, center)
+    .at(parallel ? near : glm::dvec3(eye) / eye.w, PointOf(toModel, 1.0) - near);
+}
+} // namespace
+
 void vtkViewTextureLayerPainter::UpdateView(const FieldScene& scene)
 {
   const glm::dmat4 toClip = glm::translate(scene.ModelToClip, this->Origin);
@@ -221,7 +261,6 @@ void vtkViewTextureLayerPainter::UpdateView(const FieldScene& scene)
   this->RowW = glm::vec4(glm::row(toClip, 3));
   // What all of its depths are drawn to one point of the picture is the eye.
   const glm::dvec4 eye = glm::inverse(toClip) * glm::dvec4(0.0, 0.0, -1.0, 0.0);
-  constexpr double farAway = 1e-9;
   const bool parallel = std::abs(eye.w) < farAway * glm::length(glm::dvec3(eye));
   this->Viewer = parallel ? glm::vec4(glm::vec3(eye), 0.0f)
                           : glm::vec4(glm::vec3(eye) / static_cast<float>(eye.w), 1.0f);
@@ -233,7 +272,8 @@ void vtkViewTextureLayerPainter::UpdateView(const FieldScene& scene)
     ? hachure::levelOfSurface(scene.Surface->Mesh(), scene.ModelToClip, logicalSize, cellArea)
     : 0.0;
   this->Shape = { static_cast<float>(cellArea), static_cast<float>(this->Cells->Cells.finestLevel),
-    0.0f, one ? 1.0f + static_cast<float>(std::max(level, 0.0)) : 0.0f };
+    static_cast<float>(BaseShare(this->Layer->GetViews(), scene.ModelToClip, this->Origin)),
+    one ? 1.0f + static_cast<float>(std::max(level, 0.0)) : 0.0f };
 }
 
 std::string vtkViewTextureLayerPainter::DrawField(const FieldScene& scene, int)

@@ -110,14 +110,15 @@ private:
   void move(std::size_t vertex)
   {
     const VertexHome home = this->base.homes[vertex];
+    const glm::dvec3 own(1.0 - home.weights.x - home.weights.y, home.weights);
     this->sides.clear();
     glm::dvec2 sum(0.0);
     double weights = 0.0;
     for (std::size_t i = this->first[vertex]; i < this->first[vertex + 1]; ++i)
     {
       const Wedge& wedge = this->wedges[i];
-      const auto next = vertexWeightsIn(this->base, home.triangle, wedge.next);
-      const auto last = vertexWeightsIn(this->base, home.triangle, wedge.last);
+      const auto next = vertexWeightsIn(this->base, wedge.next, home.triangle, own);
+      const auto last = vertexWeightsIn(this->base, wedge.last, home.triangle, own);
       if (!next || !last)
       {
         return;

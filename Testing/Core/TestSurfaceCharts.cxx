@@ -299,7 +299,7 @@ TEST(SurfaceCharts, BordersLieOnRims)
     }
   }
   EXPECT_GE(edges, 4 * 70 - 4);
-  EXPECT_LE(off, edges / 30);
+  EXPECT_LE(off, edges / 15);
 }
 
 // Nodes lie where the triangle under them has their coordinates.

@@ -39,7 +39,7 @@ public:
   }
 
 private:
-  static constexpr double slack = 1e-9; // of a rim
+  static constexpr double slack = 1e-6; // of a rim
 
   // All routes of so many rims.
   void visit(std::int32_t triangle, const glm::dvec3& weights)

@@ -307,6 +307,12 @@ private:
 
   void tellSources()
   {
+    this->result.fine.reserve(this->kept.size());
+    for (std::size_t corner = 0; corner < this->result.vertices.size(); corner += 3)
+    {
+      this->result.fine.emplace_back(this->result.vertices[corner],
+        this->result.vertices[corner + 1], this->result.vertices[corner + 2]);
+    }
     this->result.sources.assign(this->mesh.triangles.size(), glm::ivec3(-1));
     for (std::size_t i = 0; i < this->kept.size(); ++i)
     {

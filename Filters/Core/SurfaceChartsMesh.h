@@ -31,6 +31,8 @@ struct CornerMesh
   std::vector<std::int32_t> vertices;  // of corners; -1: the triangle is gone
   std::vector<std::int32_t> opposites; // of corners: that across the edge, or border or cut
 
+  // All triangles, oriented alike, as they were at first.
+  std::vector<glm::ivec3> fine;
   // Of the triangles that it was made from: their corners' vertices, as they were given; -1 for
   // degenerate ones. Copies of a triangle share its vertices.
   std::vector<glm::ivec3> sources;

@@ -30,7 +30,11 @@ public:
 
   std::optional<glm::dvec3> find(std::int32_t start, const glm::dvec3& weights)
   {
-    for (this->mostRims = 1; this->mostRims <= 5 && this->leastMissed > slack; ++this->mostRims)
+    constexpr std::size_t mostForBetter = 4;
+    constexpr std::size_t mostForAny = 8;
+    for (this->mostRims = 1;
+         this->leastMissed > slack && this->mostRims <= (this->found ? mostForBetter : mostForAny);
+         ++this->mostRims)
     {
       this->route.clear();
       this->visit(start, weights);

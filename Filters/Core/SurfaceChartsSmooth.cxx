@@ -58,10 +58,10 @@ public:
     : base(aBase)
     , first(aBase.mesh.positions.size() + 1, 0)
   {
-    const std::vector<glm::ivec3>& triangles = this->base.mesh.sources;
+    const std::vector<glm::ivec3>& triangles = this->base.mesh.fine;
     for (const glm::ivec3& triangle : triangles)
     {
-      for (int corner = 0; triangle.x >= 0 && corner < 3; ++corner)
+      for (int corner = 0; corner < 3; ++corner)
       {
         ++this->first[indexOf(triangle[corner]) + 1];
       }
@@ -71,7 +71,7 @@ public:
     std::vector<std::size_t> slots = this->first;
     for (const glm::ivec3& triangle : triangles)
     {
-      for (int corner = 0; triangle.x >= 0 && corner < 3; ++corner)
+      for (int corner = 0; corner < 3; ++corner)
       {
         this->wedges[slots[indexOf(triangle[corner])]++] =
           wedgeOf(this->base.mesh, triangle, corner);

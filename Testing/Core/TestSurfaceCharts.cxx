@@ -38,7 +38,7 @@ std::vector<NamedSurface> surfaces()
   addGrid(all[2].surface, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 70, 1.5);
   all[3].name = "rough sphere";
   addSphere(all[3].surface, { 0, 0, 0 }, 1.0, 60, 0.01);
-  all[3].mostFlipped = 0.005;
+  all[3].mostFlipped = 0.003;
   all[4].name = "two sides of a bent sheet";
   addSheet(all[4].surface, 60, 60, false, false,
     [](double s, double t)
@@ -178,9 +178,9 @@ TEST(SurfaceCharts, CoverTheSurface)
       odd += std::abs(std::log2(areas[chart] / cells.cellArea)) > 1.6 ? 1 : 0;
     }
     RecordProperty(named.name + " flipped", flipped);
-    EXPECT_LE(odd, named.name == "rough sphere" ? 60 : 4);
+    EXPECT_LE(odd, named.name == "rough sphere" ? 15 : 4);
     EXPECT_GE(cells.charts.size(), 143u);
-    EXPECT_LE(cells.charts.size(), named.name == "rough sphere" ? 250u : 150u);
+    EXPECT_LE(cells.charts.size(), 150u);
   }
 }
 
@@ -225,7 +225,7 @@ TEST(SurfaceCharts, ContinueOverRims)
       broken += isContinuous(cells, edge, 4) ? 0 : 1;
     }
     EXPECT_GT(across, 500);
-    EXPECT_LE(broken, 3e-3 * across);
+    EXPECT_LE(broken, 4e-3 * across);
     RecordProperty(named.name + " broken", broken);
   }
 }

@@ -68,6 +68,8 @@ public:
   }
 
 private:
+  void flatten(double scale); // of angles
+  void rate();                // the triangles as they are
   // Of the triangles that stay: place in the ring and the place after it.
   template <class Visit>
   void visitFan(int target, Visit&& visit) const;

@@ -64,12 +64,14 @@ BaseLevel mixViews(const CellLayer& layer, Span<const ViewCellColors* const> vie
 void spread(const CellLayer& layer, int rings, BaseLevel& level)
 {
   CellColors seen;
+  seen.cells.reserve(level.known.size());
+  seen.colors.reserve(level.known.size());
   for (std::int32_t cell = 0; cell < layer.size(); ++cell)
   {
     if (level.known[static_cast<std::size_t>(cell)] != 0)
     {
-      seen.cells.push_back(cell);                                          // NOLINT
-      seen.colors.push_back(level.colors[static_cast<std::size_t>(cell)]); // NOLINT
+      seen.cells.push_back(cell);
+      seen.colors.push_back(level.colors[static_cast<std::size_t>(cell)]);
     }
   }
   const CellColors found = spreadColors(layer, seen, level.known, rings);

@@ -105,7 +105,6 @@ void ViewTexture::State::setViews(const std::vector<TextureView>& views)
       }
       entry.view = views[i];
       entry.hasCoverage = entry.hasCoverage && sameCamera;
-      entry.hasColors = entry.hasColors && sameCamera;
       this->forget(entry);
     }
   }

@@ -54,6 +54,15 @@ void forNodes(const SurfaceCells& cells, int level, Body&& body)
   }
 }
 
+glm::dvec3 placeOf(const Surface& surface, const NodePlace& place)
+{
+  const glm::ivec3& corners = surface.triangles[static_cast<std::size_t>(place.triangle)];
+  const glm::dvec2 weights(place.weights);
+  return (1.0 - weights.x - weights.y) * surface.points[static_cast<std::size_t>(corners.x)] +
+    weights.x * surface.points[static_cast<std::size_t>(corners.y)] +
+    weights.y * surface.points[static_cast<std::size_t>(corners.z)];
+}
+
 double linear(std::uint8_t byte)
 {
   return linearOf({ byte, 0, 0, 255 }).r;
@@ -147,13 +156,7 @@ TEST(ViewTexture, CellsHaveTheColoursOfTheImage)
     forNodes(scene.cells, level,
       [&](std::size_t node)
       {
-        const glm::ivec3& corners =
-          scene.surface.triangles[static_cast<std::size_t>(places[node].triangle)];
-        const glm::dvec2 weights(places[node].weights);
-        const glm::dvec3 place = (1.0 - weights.x - weights.y) *
-            scene.surface.points[static_cast<std::size_t>(corners.x)] +
-          weights.x * scene.surface.points[static_cast<std::size_t>(corners.y)] +
-          weights.y * scene.surface.points[static_cast<std::size_t>(corners.z)];
+        const glm::dvec3 place = placeOf(scene.surface, places[node]);
         const glm::vec3 expected = 255.0f * smoothColor(place);
         for (int channel = 0; channel < 3; ++channel)
         {
@@ -208,15 +211,7 @@ TEST(ViewTexture, OnlyUnseenCellsAreFilled)
   forNodes(scene.cells, 4,
     [&](std::size_t node)
     {
-      const glm::ivec3& corners =
-        scene.surface.triangles[static_cast<std::size_t>(places[node].triangle)];
-      double x = 0.0;
-      const glm::dvec2 weights(places[node].weights);
-      const glm::dvec3 all(1.0 - weights.x - weights.y, weights.x, weights.y);
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        x += all[corner] * scene.surface.points[static_cast<std::size_t>(corners[corner])].x;
-      }
+      const double x = placeOf(scene.surface, places[node]).x;
       const bool isKnown = colors.independent[node].a > 0;
       EXPECT_FALSE(isKnown && x < -0.6) << x;
       EXPECT_FALSE(!isKnown && x > -0.4 && x < 0.05) << x;
@@ -259,6 +254,75 @@ TEST(ViewTexture, LevelsWithoutViewsTakeThoseNextToThem)
         });
     }
   }
+}
+
+// A coarse view of all, and a fine one whose mask leaves only the right half: what it masks is not
+// taken from below, in the directions from which it is seen.
+TEST(ViewTexture, WhatIsMaskedIsNotTakenFromBelow)
+{
+  Textured scene = squareScene();
+  std::vector<TextureView> views = { viewOfDepth(1.5), viewOfDepth(3.5), viewOfDepth(1.5),
+    viewOfDepth(3.5) };
+  views[2].dependent = views[3].dependent = true;
+  views[3].extremes = { glm::dvec3(3, 0, 4) };
+  scene.texture.setViews(views);
+  for (const std::size_t all : { 0, 2 })
+  {
+    scene.setImage(all, views[all], plain(redPixel));
+  }
+  for (const std::size_t half : { 1, 3 })
+  {
+    scene.setImage(half, views[half],
+      [&](int column, int) { return column < views[half].width / 2 ? clearPixel : bluePixel; });
+  }
+  const ViewTextureColors& colors = scene.texture.colors();
+  const std::vector<NodePlace> places = nodePlaces(scene.surface.mesh(), scene.cells);
+  forNodes(scene.cells, 4,
+    [&](std::size_t node)
+    {
+      const double x = placeOf(scene.surface, places[node]).x;
+      if (std::abs(x) < 0.1)
+      {
+        return;
+      }
+      EXPECT_EQ(colors.independent[node].a, x < 0.0 ? 0 : 255) << x;
+      // The middle of the hemisphere is within the fine view's range, its corners are not.
+      const glm::u8vec4& middle = colors.dependent[64 * node + 8 * 4 + 4];
+      EXPECT_EQ(middle.a, x < 0.0 ? 0 : 255) << x;
+      EXPECT_EQ(middle.b > 0, x > 0.0);
+      EXPECT_EQ(colors.dependent[64 * node], redPixel);
+    });
+}
+
+// A rotation has two quaternions.
+TEST(ViewTexture, SignsOfFramesDoNotMatter)
+{
+  const Surface sphere = sphereOf(1);
+  const SurfaceCells cells = trianglesAsCells(sphere.mesh());
+  SurfaceFrames frames = surfaceFrames(sphere.mesh(), cells);
+  TextureView view = viewFrom({ 0, 1, 4 }, glm::dvec3(0.0), 100, 100);
+  view.dependent = true;
+  view.extremes = extremesAround(view, 4, 0.7);
+  const std::vector<glm::u8vec4> pixels(10000, redPixel);
+  const auto make = [&]
+  {
+    ViewTexture texture(sphere.mesh(), cells, frames);
+    texture.setViews({ view });
+    texture.setImage(0, { 100, 100, pixels });
+    return texture.colors().dependent;
+  };
+  const std::vector<glm::u8vec4> before = make();
+  for (std::size_t i = 0; i < frames.turns.size(); i += 2)
+  {
+    frames.turns[i] = -frames.turns[i];
+  }
+  const std::vector<glm::u8vec4> after = make();
+  int most = 0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    most = std::max(most, std::abs(before[i].a - after[i].a));
+  }
+  EXPECT_LE(most, 1);
 }
 
 // Independent views are red, dependent ones blue, at several levels.

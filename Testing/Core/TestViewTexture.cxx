@@ -256,9 +256,10 @@ TEST(ViewTexture, LevelsWithoutViewsTakeThoseNextToThem)
   }
 }
 
-// A coarse view of all, and a fine one whose mask leaves only the right half: what it masks is not
-// taken from below, in the directions from which it is seen.
-TEST(ViewTexture, WhatIsMaskedIsNotTakenFromBelow)
+// A coarse view of all, and a fine one whose mask leaves only the right half. What is seen from
+// everywhere goes on from the coarse one where the fine one says nothing; what is seen from some
+// directions does not in those of the fine view, which has no mark there.
+TEST(ViewTexture, MasksOfFineViewsOverCoarseOnes)
 {
   Textured scene = squareScene();
   std::vector<TextureView> views = { viewOfDepth(1.5), viewOfDepth(3.5), viewOfDepth(1.5),
@@ -285,7 +286,7 @@ TEST(ViewTexture, WhatIsMaskedIsNotTakenFromBelow)
       {
         return;
       }
-      EXPECT_EQ(colors.independent[node].a, x < 0.0 ? 0 : 255) << x;
+      EXPECT_EQ(colors.independent[node], x < 0.0 ? redPixel : bluePixel) << x;
       // The middle of the hemisphere is within the fine view's range, its corners are not.
       const glm::u8vec4& middle = colors.dependent[64 * node + 8 * 4 + 4];
       EXPECT_EQ(middle.a, x < 0.0 ? 0 : 255) << x;
@@ -323,6 +324,28 @@ TEST(ViewTexture, SignsOfFramesDoNotMatter)
     most = std::max(most, std::abs(before[i].a - after[i].a));
   }
   EXPECT_LE(most, 1);
+}
+
+// At its finer level a view's own mask is not blurred by its coarser one.
+TEST(ViewTexture, MasksStayWhereTheyAre)
+{
+  Textured scene = squareScene();
+  const TextureView view = viewOfDepth(3.5);
+  scene.texture.setViews({ view });
+  scene.setImage(
+    0, view, [&](int column, int) { return column < view.width / 2 ? clearPixel : bluePixel; });
+  const ViewTextureColors& colors = scene.texture.colors();
+  const std::vector<NodePlace> places = nodePlaces(scene.surface.mesh(), scene.cells);
+  forNodes(scene.cells, 4,
+    [&](std::size_t node)
+    {
+      const double x = placeOf(scene.surface, places[node]).x;
+      constexpr double cell = 0.5 / 16.0;
+      if (std::abs(x) > cell)
+      {
+        EXPECT_EQ(colors.independent[node].a, x < 0.0 ? 0 : 255) << x;
+      }
+    });
 }
 
 // Independent views are red, dependent ones blue, at several levels.

@@ -71,8 +71,9 @@ struct CornerMesh
   std::size_t triangleCount() const { return this->vertices.size() / 3; }
 };
 
-// Of every point the first one in the same place, up to a billionth of the mesh's size.
-std::vector<std::int32_t> joinClosePoints(const TriangleMesh& mesh);
+// The triangles with the first one of all points that are in the same place, up to a billionth of
+// the mesh's size.
+std::vector<glm::ivec3> joinedTriangles(const TriangleMesh& mesh);
 
 CornerMesh makeCornerMesh(const TriangleMesh& mesh);
 

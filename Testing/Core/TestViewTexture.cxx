@@ -147,7 +147,7 @@ TEST(ViewTexture, CellsHaveTheColoursOfTheImage)
     {
       const glm::dvec3 place(toModel * (2.0 * (column + 0.5) / view.width - 1.0),
         toModel * (2.0 * (row + 0.5) / view.height - 1.0), 0.0);
-      return glm::u8vec4(255.0f * smoothColor(place) + 0.5f, 255);
+      return glm::u8vec4(255.0f * glm::clamp(smoothColor(place), 0.0f, 1.0f) + 0.5f, 255);
     });
   const ViewTextureColors& colors = scene.texture.colors();
   const std::vector<NodePlace> places = nodePlaces(scene.surface.mesh(), scene.cells);

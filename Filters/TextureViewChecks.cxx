@@ -103,11 +103,12 @@ std::string vectorFault(const double vector[3])
 //------------------------------------------------------------------------------
 std::string directionFault(const double direction[3])
 {
-  const std::string fault = vectorFault(direction);
   const double length = vtkMath::Norm(direction);
-  return !fault.empty()                     ? fault
-    : length > 0.0 && std::isfinite(length) ? ""
-                                            : "expected a direction, got " + text(direction);
+  if (length > 0.0 && std::isfinite(length))
+  {
+    return "";
+  }
+  return "expected a direction, three finite numbers, got " + text(direction);
 }
 
 //------------------------------------------------------------------------------
@@ -115,7 +116,7 @@ std::string cameraFault(const ViewCamera& camera)
 {
   for (const double* vector : { camera.position, camera.focalPoint, camera.viewUp })
   {
-    const std::string fault = vectorFault(vector);
+    std::string fault = vectorFault(vector);
     if (!fault.empty())
     {
       return fault;
@@ -140,8 +141,9 @@ std::string cameraFault(const ViewCamera& camera)
     return "the view up " + text(camera.viewUp) + " does not point across the direction of view";
   }
   std::ostringstream out;
-  if (camera.parallel ? !(camera.parallelScale > 0.0 && std::isfinite(camera.parallelScale))
-                      : !(camera.viewAngle >= leastViewAngle && camera.viewAngle <= greatestViewAngle))
+  if (camera.parallel
+      ? !(camera.parallelScale > 0.0 && std::isfinite(camera.parallelScale))
+      : !(camera.viewAngle >= leastViewAngle && camera.viewAngle <= greatestViewAngle))
   {
     out << (camera.parallel ? "expected a parallel scale above 0, got "
                             : "expected a view angle of 1e-6 to 179 degrees, got ")

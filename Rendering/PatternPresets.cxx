@@ -22,6 +22,7 @@
 #include "preset_stipple.h"
 #include "preset_stipple_two_inks.h"
 #include "preset_stipple_white.h"
+#include "preset_view.h"
 #include "preset_watercolour.h"
 
 namespace hachure
@@ -52,6 +53,7 @@ const std::vector<Preset>& presets()
     { "felt-tip", preset_felt_tip },
     { "brush", preset_brush },
     { "engraving", preset_engraving },
+    { "view", preset_view },
   };
   return list;
 }

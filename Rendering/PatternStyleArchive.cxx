@@ -382,6 +382,21 @@ void StyleArchive::resolution(const char* key)
 }
 
 //------------------------------------------------------------------------------
+std::string StyleArchive::readFileName(const char* key)
+{
+  const std::string fileName = this->readText(key);
+  return this->session.folder.empty()
+    ? fileName
+    : vtksys::SystemTools::CollapseFullPath(fileName, this->session.folder);
+}
+
+//------------------------------------------------------------------------------
+void StyleArchive::writeFileName(const char* key, const std::string& fileName)
+{
+  this->writeText(key, relativeName(fileName, this->session.folder));
+}
+
+//------------------------------------------------------------------------------
 void StyleArchive::imageFile(
   const char* key, vtkSmartPointer<vtkImageData>& image, std::string& imageFileName)
 {
@@ -393,7 +408,7 @@ void StyleArchive::imageFile(
     }
     if (image)
     {
-      this->writeText(key, relativeName(imageFileName, this->session.folder));
+      this->writeFileName(key, imageFileName);
     }
     return;
   }
@@ -401,11 +416,7 @@ void StyleArchive::imageFile(
   {
     return;
   }
-  std::string fileName = this->readText(key);
-  if (!this->session.folder.empty())
-  {
-    fileName = vtksys::SystemTools::CollapseFullPath(fileName, this->session.folder);
-  }
+  const std::string fileName = this->readFileName(key);
   try
   {
     image = readPatternImage(fileName);

@@ -229,6 +229,12 @@ public:
     }
   }
 
+  ///@{
+  /** The name of a file, which in a style is relative to its folder; absolute here. */
+  std::string readFileName(const char* key);
+  void writeFileName(const char* key, const std::string& fileName);
+  ///@}
+
   /** The name of a picture file, which is read; an image without a file cannot be written. */
   void imageFile(const char* key, vtkSmartPointer<vtkImageData>& image, std::string& imageFileName);
 

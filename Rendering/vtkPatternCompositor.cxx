@@ -20,7 +20,7 @@
 #include "Screens.h"
 #include "SurfacePattern.h"
 #include "ToneCurve.h"
-#include "ViewTexture.h"
+#include "ViewCells.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternLayer.h"
 #include "vtkPatternPatches.h"
@@ -303,7 +303,7 @@ std::string vtkPatternCompositor::StackText(bool forward) const
   const bool elsewhere = declarations.find("hachureColorAt") != std::string::npos;
   const vtkPatternAttributes needed = this->GetAttributes();
   std::string text = std::string(Ink) + Mix + Lod + PatternField + SurfacePattern + PatchBlend +
-    ToneCurve + ProcessInks + (needed.Runs ? ViewTexture : "") + PatternCompose;
+    ToneCurve + ProcessInks + (needed.Runs ? ViewCells : "") + PatternCompose;
   if (forward && this->NeedsFields())
   {
     text.insert(0, std::string(Screens) + NoiseKernel); // fields that are made in the shader

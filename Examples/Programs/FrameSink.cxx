@@ -3,20 +3,16 @@
 
 #include "FrameSink.h"
 
-#include "UserError.h"
+#include "OutputFolder.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkOggTheoraWriter.h>
 #include <vtkPNGWriter.h>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
 #include <utility>
 
@@ -50,54 +46,14 @@ std::string frameName(int index)
   std::snprintf(name, sizeof(name), "frame_%04d.png", index);
   return name;
 }
-
-[[noreturn]] void refuseFolder(const std::filesystem::path& folder, const std::string& reason)
-{
-  throw UserError("cannot write into '" + folder.string() + "': " + reason);
-}
 } // namespace
-
-//----------------------------------------------------------------------------
-void checkWritableFolder(const std::filesystem::path& folder)
-{
-  if (folder.empty())
-  {
-    throw UserError("--output names no folder");
-  }
-  std::error_code error;
-  std::filesystem::path nearest = std::filesystem::absolute(folder);
-  while (!std::filesystem::exists(nearest, error) && nearest.has_relative_path())
-  {
-    nearest = nearest.parent_path();
-  }
-  if (!std::filesystem::is_directory(nearest, error))
-  {
-    refuseFolder(folder, "'" + nearest.string() + "' is not a folder");
-  }
-  if (access(nearest.c_str(), W_OK | X_OK) != 0)
-  {
-    refuseFolder(folder, std::strerror(errno));
-  }
-}
 
 //----------------------------------------------------------------------------
 FrameSink::FrameSink(const FrameSinkOptions& given)
   : options(given)
   , contact(contactFrames(given.frames))
 {
-  checkWritableFolder(this->options.folder);
-  std::error_code error;
-  this->madeFolder = std::filesystem::create_directories(this->options.folder, error);
-  if (error)
-  {
-    refuseFolder(this->options.folder, error.message());
-  }
-  const auto probe = this->temporary("probe");
-  if (!std::ofstream(probe))
-  {
-    refuseFolder(this->options.folder, std::strerror(errno));
-  }
-  std::filesystem::remove(probe, error);
+  this->madeFolder = makeWritableFolder(this->options.folder);
   this->worker = std::thread([this] { this->work(); });
 }
 

@@ -74,9 +74,6 @@ private:
   std::exception_ptr failure;
   std::thread worker;
 };
-
-/// Throws UserError when the folder can neither be written nor made. Makes nothing.
-void checkWritableFolder(const std::filesystem::path& folder);
 } // namespace hachure::program
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "Animation.h"
 #include "FrameSink.h"
+#include "OutputFolder.h"
 #include "RenderOptions.h"
 #include "Scene.h"
 #include "UserError.h"

@@ -3,85 +3,20 @@
 
 #include "RenderOptions.h"
 
+#include "OptionParsing.h"
 #include "UserError.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <functional>
-#include <map>
 
 namespace hachure::program
 {
 namespace
 {
-/// Pixels along one side that every OpenGL of interest can draw into.
-constexpr int LargestSide = 16384;
-constexpr int SmallestSide = 16;
 constexpr int LargestSupersample = 8;
 constexpr int UsualSupersample = 2;
 constexpr int FinalSupersample = 4;
 constexpr int LargestOrbit = 100000;
 constexpr double LargestZoom = 1000.0;
-
-[[noreturn]] void refuse(
-  const std::string& option, const std::string& value, const std::string& expected)
-{
-  throw UserError("bad value '" + value + "' for " + option + ": expected " + expected);
-}
-
-std::optional<double> toNumber(const std::string& text)
-{
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(value))
-  {
-    return std::nullopt;
-  }
-  return value;
-}
-
-/// The numbers of "A:B" or "W x H"; nothing when one is malformed.
-std::optional<std::array<double, 2>> toPair(const std::string& text, char separator)
-{
-  const auto cut = text.find(separator);
-  if (cut == std::string::npos)
-  {
-    return std::nullopt;
-  }
-  const auto first = toNumber(text.substr(0, cut));
-  const auto second = toNumber(text.substr(cut + 1));
-  if (!first || !second)
-  {
-    return std::nullopt;
-  }
-  return std::array<double, 2>{ *first, *second };
-}
-
-int toInteger(const std::string& option, const std::string& text, int low, int high)
-{
-  const auto value = toNumber(text);
-  if (!value || *value != std::floor(*value) || *value < low || *value > high)
-  {
-    refuse(
-      option, text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
-  }
-  return static_cast<int>(*value);
-}
-
-std::array<int, 2> toSize(const std::string& option, const std::string& text)
-{
-  const auto fits = [](double side)
-  { return side == std::floor(side) && side >= SmallestSide && side <= LargestSide; };
-  const auto pair = toPair(text, 'x');
-  if (!pair || !fits((*pair)[0]) || !fits((*pair)[1]))
-  {
-    refuse(option, text,
-      "WxH in whole pixels, each from " + std::to_string(SmallestSide) + " to " +
-        std::to_string(LargestSide));
-  }
-  return { static_cast<int>((*pair)[0]), static_cast<int>((*pair)[1]) };
-}
 
 std::array<double, 2> toZoom(const std::string& option, const std::string& text)
 {
@@ -98,39 +33,6 @@ std::array<double, 2> toZoom(const std::string& option, const std::string& text)
   return *pair;
 }
 
-std::array<double, 2> toLight(const std::string& option, const std::string& text)
-{
-  const auto pair = toPair(text, ',');
-  if (!pair || std::abs((*pair)[1]) > 90.0)
-  {
-    refuse(option, text, "AZ,EL in degrees, EL from -90 to 90");
-  }
-  return *pair;
-}
-
-double toIsovalue(const std::string& option, const std::string& text)
-{
-  const auto value = toNumber(text);
-  if (!value)
-  {
-    refuse(option, text, "a number");
-  }
-  return *value;
-}
-
-std::string toAxis(const std::string& option, const std::string& text)
-{
-  std::string axis = !text.empty() && text[0] == '+' ? text.substr(1) : text;
-  for (const char* known : { "x", "y", "z", "-x", "-y", "-z" })
-  {
-    if (axis == known)
-    {
-      return axis;
-    }
-  }
-  refuse(option, text, "one of x y z -x -y -z");
-}
-
 /// Whether it is the final one.
 bool toQuality(const std::string& option, const std::string& text)
 {
@@ -141,14 +43,13 @@ bool toQuality(const std::string& option, const std::string& text)
   return text == "final";
 }
 
-using Setter = std::function<void(const std::string& option, const std::string& value)>;
-
-std::map<std::string, Setter> valueOptions(RenderOptions& result)
+ValueOptions valueOptions(RenderOptions& result)
 {
   using Text = const std::string&;
   return {
     { "--isovalue", [&](Text o, Text v) { result.isovalue = toIsovalue(o, v); } },
     { "--style", [&](Text, Text v) { result.style = v; } },
+    { "--views", [&](Text, Text v) { result.views = v; } },
     { "--array", [&](Text, Text v) { result.array = v; } },
     { "--orbit", [&](Text o, Text v) { result.orbit = toInteger(o, v, 1, LargestOrbit); } },
     { "--zoom", [&](Text o, Text v) { result.zoom = toZoom(o, v); } },
@@ -167,10 +68,6 @@ std::map<std::string, Setter> valueOptions(RenderOptions& result)
 /// Combinations that cannot be meant.
 void checkTogether(const RenderOptions& options)
 {
-  if (options.input.empty())
-  {
-    throw UserError("no input file given; try hachure-render --help");
-  }
   if (!options.animation.empty() && (options.orbit > 0 || options.zoom))
   {
     throw UserError("--animation sets the camera itself: leave out --orbit and --zoom");
@@ -190,61 +87,23 @@ void checkTogether(const RenderOptions& options)
     throw UserError("--up " + options.up + " and --front " + options.front + " are one axis");
   }
 }
-
-bool isPlainAction(const std::string& argument, RenderOptions& result)
-{
-  static const std::map<std::string, Action> Actions = { { "--help", Action::Help },
-    { "-h", Action::Help }, { "--version", Action::Version },
-    { "--list-styles", Action::ListStyles } };
-  const auto found = Actions.find(argument);
-  if (found == Actions.end())
-  {
-    return false;
-  }
-  result.action = found->second;
-  return true;
-}
 } // namespace
 
 //----------------------------------------------------------------------------
 RenderOptions parseOptions(int argumentCount, char* const* arguments)
 {
   RenderOptions result;
-  const auto setters = valueOptions(result);
-  for (int i = 1; i < argumentCount; ++i)
+  const auto act = [&](Action action) { return [&result, action] { result.action = action; }; };
+  OptionTable table;
+  table.program = "hachure-render";
+  table.input = &result.input;
+  table.values = valueOptions(result);
+  table.flags = { { "--movie", [&] { result.movie = true; } } };
+  table.actions = { { "--help", act(Action::Help) }, { "-h", act(Action::Help) },
+    { "--version", act(Action::Version) }, { "--list-styles", act(Action::ListStyles) } };
+  if (!readArguments(argumentCount, arguments, table))
   {
-    std::string argument = arguments[i];
-    if (isPlainAction(argument, result))
-    {
-      return result;
-    }
-    if (argument == "--movie")
-    {
-      result.movie = true;
-      continue;
-    }
-    if (argument.size() < 2 || argument[0] != '-')
-    {
-      if (!result.input.empty())
-      {
-        throw UserError("two input files given: '" + result.input + "' and '" + argument + "'");
-      }
-      result.input = argument;
-      continue;
-    }
-    const auto equals = argument.find('=');
-    const std::string name = argument.substr(0, equals);
-    const auto setter = setters.find(name);
-    if (setter == setters.end())
-    {
-      throw UserError("unknown option '" + name + "'; try hachure-render --help");
-    }
-    if (equals == std::string::npos && i + 1 >= argumentCount)
-    {
-      throw UserError("option " + name + " needs a value");
-    }
-    setter->second(
-      name, equals == std::string::npos ? arguments[++i] : argument.substr(equals + 1));
+    return result;
   }
   if (result.supersample == 0)
   {
@@ -267,6 +126,7 @@ INPUT is read by its extension: .vtp .vtu .vti .vtm .stl .obj .ply .ex2 .nii .ni
 
   --isovalue V         scalar value of the isosurface; volumes need it
   --style NAME|FILE    a style of --list-styles, or a .json file (default cross-hatch)
+  --views FILE         manifest of views for the style's layers of view-dependent texture
   --array NAME         tone follows this array, its lowest value paper, its highest full ink
   --orbit N            N frames of one full turn
   --zoom A:B           magnification of the first and the last frame (default 1:1)

@@ -25,6 +25,7 @@ struct RenderOptions
   Action action = Action::Render;
   std::string input;
   std::optional<double> isovalue;                ///< in the units of the volume's scalars
+  std::string views;                             ///< a manifest of views; empty: none
   std::string style = "cross-hatch";             ///< a preset's name, or a file ending in .json
   std::string array;                             ///< tone follows this array; empty: the light
   int orbit = 0;                                 ///< frames of one full turn; 0: one still picture

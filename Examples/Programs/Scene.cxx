@@ -8,13 +8,13 @@
 #include "UserError.h"
 
 #include <vtkCamera.h>
-#include <vtkLight.h>
 #include <vtkPatternLayer.h>
 #include <vtkPatternMapper.h>
 #include <vtkPatternStyle.h>
 #include <vtkPatternTone.h>
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkViewTextureLayer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,11 +24,6 @@ namespace hachure::program
 {
 namespace
 {
-/// Strength and place of the fill relative to the key light: shade stays readable, form is kept.
-constexpr double FillIntensity = 0.25;
-constexpr double FillElevation = -10.0;
-/// Enough to fit a view to within a pixel or two.
-constexpr std::size_t LargestFitSet = 20000;
 constexpr int FitAzimuths = 36;
 
 std::string joined(const std::vector<std::string>& names)
@@ -47,35 +42,25 @@ bool isFileName(const std::string& style)
     (style.size() > 5 && style.compare(style.size() - 5, 5, ".json") == 0);
 }
 
-bool isFinite(const glm::dvec3& point)
+void readViews(vtkPatternStyle* style, const std::string& manifest)
 {
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
-
-/// A regular selection of the surface's points.
-std::vector<glm::dvec3> fitPoints(vtkDataObject* surface)
-{
-  const auto leaves = surfaceLeaves(surface);
-  vtkIdType count = 0;
-  for (vtkPolyData* leaf : leaves)
+  const ErrorCollector errors;
+  bool any = false;
+  for (int i = 0; i < style->GetNumberOfLayers(); ++i)
   {
-    count += leaf->GetNumberOfPoints();
-  }
-  const vtkIdType stride = 1 + count / static_cast<vtkIdType>(LargestFitSet);
-  std::vector<glm::dvec3> points;
-  for (vtkPolyData* leaf : leaves)
-  {
-    for (vtkIdType i = 0; i < leaf->GetNumberOfPoints(); i += stride)
+    if (auto* layer = vtkViewTextureLayer::SafeDownCast(style->GetLayer(i)))
     {
-      glm::dvec3 point;
-      leaf->GetPoint(i, &point.x);
-      if (isFinite(point))
+      any = true;
+      if (!layer->ReadManifest(manifest))
       {
-        points.push_back(point);
+        throw UserError("cannot use views '" + manifest + "': " + errors.first());
       }
     }
   }
-  return points;
+  if (!any)
+  {
+    throw UserError("--views: the style has no layer of view-dependent texture; see --style view");
+  }
 }
 
 void toneFollowsArray(vtkPatternStyle* style, const std::string& name, const ToneArray& array)
@@ -90,19 +75,6 @@ void toneFollowsArray(vtkPatternStyle* style, const std::string& name, const Ton
   }
 }
 } // namespace
-
-//----------------------------------------------------------------------------
-std::vector<CameraLight> keyAndFill(const std::array<double, 2>& direction)
-{
-  CameraLight key;
-  key.azimuth = direction[0];
-  key.elevation = direction[1];
-  CameraLight fill;
-  fill.azimuth = -direction[0];
-  fill.elevation = FillElevation;
-  fill.intensity = FillIntensity;
-  return { key, fill };
-}
 
 //----------------------------------------------------------------------------
 std::vector<std::string> styleNames()
@@ -164,6 +136,10 @@ void Scene::makeStyle(const RenderOptions& options)
       throw std::runtime_error("style '" + options.style + "' is broken: " + errors.first());
     }
   }
+  if (!options.views.empty())
+  {
+    readViews(this->patternStyle, options.views);
+  }
   this->patternStyle->SetPixelScale(options.supersample);
   this->patternStyle->SetFinalQuality(options.finalQuality);
 }
@@ -193,11 +169,7 @@ void Scene::fitView(const RenderOptions& options)
   const std::string up = options.up.empty() ? this->surface.up : options.up;
   const std::string front = options.front.empty() ? this->surface.front : options.front;
   this->turntable = makeTurntable(up, front);
-  const auto points = fitPoints(this->surface.data);
-  if (points.empty())
-  {
-    throw UserError("'" + options.input + "' has no point with finite coordinates");
-  }
+  const auto points = fitPoints(this->surface.data, options.input);
   const TurntableView standard;
   std::vector<double> azimuths = { standard.azimuth };
   if (options.orbit > 1 || !options.animation.empty())
@@ -224,21 +196,6 @@ void Scene::setTime(double time)
   if (auto* mapper = vtkPatternMapper::SafeDownCast(this->actor->GetMapper()))
   {
     mapper->SetAnimationTime(time);
-  }
-}
-
-//----------------------------------------------------------------------------
-void Scene::setLights(const std::vector<CameraLight>& lights)
-{
-  this->renderer->RemoveAllLights();
-  for (const CameraLight& one : lights)
-  {
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToCameraLight();
-    light->SetDirectionAngle(one.elevation, one.azimuth);
-    light->SetIntensity(std::max(0.0, one.intensity));
-    light->SetColor(one.color);
-    this->renderer->AddLight(light);
   }
 }
 

@@ -6,6 +6,7 @@
 #ifndef Scene_h
 #define Scene_h
 
+#include "CameraLights.h"
 #include "LinearImage.h"
 #include "RenderOptions.h"
 #include "SurfaceInput.h"
@@ -18,19 +19,11 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
+#include <string>
 #include <vector>
 
 namespace hachure::program
 {
-/// A light that moves with the viewer.
-struct CameraLight
-{
-  double azimuth = 0.0;   ///< degrees right of the viewer
-  double elevation = 0.0; ///< degrees above
-  double intensity = 1.0; ///< 0 or more
-  double color[3] = { 1.0, 1.0, 1.0 };
-};
-
 class Scene
 {
 public:
@@ -45,7 +38,7 @@ public:
   void setView(const TurntableView& view);
   /// Of the animation, in seconds: what patterns do little by little goes by it.
   void setTime(double time);
-  void setLights(const std::vector<CameraLight>& lights);
+  void setLights(const std::vector<CameraLight>& lights) { lightFrom(this->renderer, lights); }
 
   /// Draws and reads the picture back, the supersampling factor larger than the output.
   Picture draw();
@@ -65,9 +58,6 @@ private:
   vtkNew<vtkRenderer> renderer;
   vtkSmartPointer<vtkRenderWindow> window;
 };
-
-/// The default lighting: a key light from the given direction and a weak fill opposite.
-std::vector<CameraLight> keyAndFill(const std::array<double, 2>& direction);
 
 /// Names of all styles, in their stable order.
 std::vector<std::string> styleNames();

@@ -35,6 +35,9 @@ namespace
 {
 using Leaf = vtkSmartPointer<vtkPolyData>;
 
+/// Points to fit a view to.
+constexpr std::size_t LargestFitSet = 20000;
+
 std::string rangeText(const double range[2])
 {
   std::ostringstream text;
@@ -67,6 +70,11 @@ vtkDataArray* contourScalars(vtkDataSet* data)
   vtkPointData* points = data->GetPointData();
   vtkDataArray* scalars = points->GetScalars();
   return scalars ? scalars : points->GetArray(0);
+}
+
+bool isFinite(const glm::dvec3& point)
+{
+  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
 void finiteRange(vtkDataArray* array, double range[2])
@@ -295,6 +303,36 @@ std::vector<vtkPolyData*> surfaceLeaves(vtkDataObject* surface)
   const auto isEmpty = [](vtkPolyData* leaf) { return leaf->GetNumberOfCells() == 0; };
   leaves.erase(std::remove_if(leaves.begin(), leaves.end(), isEmpty), leaves.end());
   return leaves;
+}
+
+//----------------------------------------------------------------------------
+std::vector<glm::dvec3> fitPoints(vtkDataObject* surface, const std::string& path)
+{
+  const auto leaves = surfaceLeaves(surface);
+  vtkIdType count = 0;
+  for (vtkPolyData* leaf : leaves)
+  {
+    count += leaf->GetNumberOfPoints();
+  }
+  const vtkIdType stride = 1 + count / static_cast<vtkIdType>(LargestFitSet);
+  std::vector<glm::dvec3> points;
+  for (vtkPolyData* leaf : leaves)
+  {
+    for (vtkIdType i = 0; i < leaf->GetNumberOfPoints(); i += stride)
+    {
+      glm::dvec3 point;
+      leaf->GetPoint(i, &point.x);
+      if (isFinite(point))
+      {
+        points.push_back(point);
+      }
+    }
+  }
+  if (points.empty())
+  {
+    throw UserError("'" + path + "' has no point with finite coordinates");
+  }
+  return points;
 }
 
 //----------------------------------------------------------------------------

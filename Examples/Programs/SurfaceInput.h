@@ -10,6 +10,8 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -31,6 +33,10 @@ Surface readSurface(const std::string& path, const std::optional<double>& isoval
 
 /// The polydata leaves of a surface, empty ones left out.
 std::vector<vtkPolyData*> surfaceLeaves(vtkDataObject* surface);
+
+/// A regular selection of the surface's points, enough to fit a view to within a pixel or two.
+/// Throws UserError, which names the file, when none has finite coordinates.
+std::vector<glm::dvec3> fitPoints(vtkDataObject* surface, const std::string& path);
 
 /// An array of the surface as a tone.
 struct ToneArray

@@ -34,7 +34,7 @@ using namespace glm;
 #include "Kernels/ToneCurve.glsl"
 #include "Kernels/ProcessInks.glsl"
 #include "Kernels/SurfaceLight.glsl"
-#include "Kernels/ViewTexture.glsl"
+#include "Kernels/ViewCells.glsl"
 // clang-format on
 } // namespace
 } // namespace hachure::glsl

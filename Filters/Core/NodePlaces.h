@@ -29,7 +29,7 @@ struct NodePlace
 // chart. Throws std::invalid_argument for a wrong mesh and cells of another one.
 std::vector<NodePlace> nodePlaces(const TriangleMesh& mesh, const SurfaceCells& cells);
 
-// Of the nodes of a level of 2^subdivisions segments, as Kernels/ViewTexture.glsl numbers them: the
+// Of the nodes of a level of 2^subdivisions segments, as Kernels/ViewCells.glsl numbers them: the
 // weights of the chart's second and third corner there.
 std::vector<glm::vec2> nodeCoordinates(int subdivisions);
 

@@ -17,7 +17,7 @@
 // section 4.1): several levels that each cover all of it, every cell of which is divided into four
 // at the next one. The paper leaves open how triangle meshes get them. Here the surface is divided
 // into charts of three corners, each a map of a part of it to a triangle, and charts into cells by
-// halving their sides; see Kernels/ViewTexture.glsl.
+// halving their sides; see Kernels/ViewCells.glsl.
 //
 // Cells of one level have roughly equal areas. A chart has its own first level, at which it is one
 // cell: 1 for one of a quarter of the area of a cell of level 0, and -1 for one of four times that
@@ -48,7 +48,7 @@ struct SurfaceCells
   // says.
   std::vector<std::int32_t> chartOfTriangle;
   std::vector<std::array<glm::vec2, 3>> places;
-  // Nodes go by chart, then by level, 0 first, then as in Kernels/ViewTexture.glsl.
+  // Nodes go by chart, then by level, 0 first, then as in Kernels/ViewCells.glsl.
   std::vector<std::int32_t> firstNode; // of every chart, and the number of all
 };
 

@@ -4,11 +4,11 @@
 
 #include "Parallel.h"
 #include "SurfaceChartsPlaces.h"
+#include "SurfaceChartsSmooth.h"
 
 #include <glm/geometric.hpp>
 
 #include <cmath>
-#include <numeric>
 
 namespace hachure
 {
@@ -32,19 +32,6 @@ double areaOfAll(const TriangleMesh& mesh)
     area += areaOf(mesh, triangle);
   }
   return area;
-}
-
-SurfaceCells joinedTrianglesAsCells(const TriangleMesh& mesh, const SurfaceCellOptions& options)
-{
-  const std::vector<std::int32_t> vertices = joinClosePoints(mesh);
-  std::vector<glm::ivec3> triangles;
-  triangles.reserve(mesh.triangles.size());
-  for (const glm::ivec3& corners : mesh.triangles)
-  {
-    triangles.emplace_back(
-      vertices[indexOf(corners.x)], vertices[indexOf(corners.y)], vertices[indexOf(corners.z)]);
-  }
-  return trianglesAsCells({ mesh.points, triangles, {} }, options);
 }
 
 // Charts of what a mesh was simplified to.
@@ -227,20 +214,29 @@ SurfaceCells surfaceCells(
   detail::checkOptions(options);
   if (mesh.triangles.size() <= static_cast<std::size_t>(options.baseCells))
   {
-    return joinedTrianglesAsCells(mesh, options);
+    const std::vector<glm::ivec3> triangles = joinedTriangles(mesh);
+    return trianglesAsCells({ mesh.points, triangles, {} }, options);
   }
-  const double area = areaOfAll(mesh) / options.baseCells;
+  // Of the time.
+  constexpr double collapsing = 0.7;
+  constexpr double smoothing = 0.2;
+  const auto within = [&](double start, double part)
+  {
+    return ProgressFn([&progress, start, part](double fraction)
+      { return !progress || progress(start + part * fraction); });
+  };
   CollapseOptions collapse;
   collapse.triangles = options.baseCells;
-  collapse.area = area;
-  collapse.progress = progress;
-  const BaseMesh base = collapseToBase(makeCornerMesh(mesh), collapse);
-  SurfaceCells cells;
-  if (!base.isStopped)
+  collapse.area = areaOfAll(mesh) / options.baseCells;
+  collapse.progress = within(0.0, collapsing);
+  BaseMesh base = collapseToBase(makeCornerMesh(mesh), collapse);
+  if (base.isStopped || !smoothHomes(base, within(collapsing, smoothing)))
   {
-    cells = ChartMaker(mesh, base).make(area * std::pow(0.25, options.finestLevel));
-    detail::numberNodes(cells, options);
+    return {};
   }
+  SurfaceCells cells =
+    ChartMaker(mesh, base).make(collapse.area * std::pow(0.25, options.finestLevel));
+  detail::numberNodes(cells, options);
   return cells;
 }
 

@@ -53,7 +53,7 @@ public:
 
   BaseMesh run()
   {
-    for (const RingLimits& limits : { strictLimits, looseLimits })
+    for (const RingLimits& limits : { strictLimits, looseLimits, lastLimits })
     {
       this->current = limits;
       for (std::size_t vertex = 0; vertex < this->starAreas.size(); ++vertex)
@@ -173,11 +173,12 @@ private:
       corner = mesh.after(corner);
     } while (corner >= 0 && corner != first && ++ends < mostEnds);
     common += corner < 0 ? this->isMarked(mesh.vertex(CornerMesh::previous(last))) : 0;
-    if (ends >= mostEnds || common != (this->ring.isClosed ? 2 : 1))
+    const int count = static_cast<int>(this->ring.ends.size());
+    if (ends >= mostEnds || common != (this->ring.isClosed ? 2 : 1) ||
+      (count > 4 && ends + count - 4 > this->current.ends))
     {
       return false;
     }
-    const int count = static_cast<int>(this->ring.ends.size());
     if (!this->ring.isClosed)
     {
       return this->canLoseTriangle(target == 0 ? 1 : count - 2);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace hachure
 {
@@ -146,6 +147,61 @@ void listPixels(Span<const ChartPlace> places, const CellLayer& layer, const Tex
     }
   }
 }
+// Of a cell without a pixel the neighbours that have some, by their number in the lists: where
+// there are two it lies between pixels of the raster, else beyond what is seen.
+std::vector<std::int32_t> seenAround(
+  const CellLayer& layer, std::int32_t cell, const std::vector<std::int32_t>& numbers)
+{
+  std::vector<std::int32_t> seen;
+  layer.appendNeighbours(cell, seen);
+  const auto end = std::remove_if(seen.begin(), seen.end(),
+    [&](std::int32_t other) { return numbers[static_cast<std::size_t>(other)] < 0; });
+  seen.erase(end, seen.end());
+  for (std::int32_t& other : seen)
+  {
+    other = numbers[static_cast<std::size_t>(other)];
+  }
+  return seen;
+}
+
+// Cells between pixels take those of the cells around: else views with fewer pixels would be
+// missing in some of the cells that they share with others.
+void closeGaps(const CellLayer& layer, ViewCoverage::Level& level)
+{
+  std::vector<std::int32_t> numbers(static_cast<std::size_t>(layer.size()), -1);
+  for (std::size_t i = 0; i < level.cells.size(); ++i)
+  {
+    numbers[static_cast<std::size_t>(level.cells[i])] = static_cast<std::int32_t>(i);
+  }
+  ViewCoverage::Level closed;
+  closed.cells.reserve(2 * level.cells.size());
+  closed.first.reserve(2 * level.cells.size());
+  closed.pixels.reserve(2 * level.pixels.size());
+  for (std::int32_t cell = 0; cell < layer.size(); ++cell)
+  {
+    std::vector<std::int32_t> from = { numbers[static_cast<std::size_t>(cell)] };
+    if (from.front() < 0)
+    {
+      from = seenAround(layer, cell, numbers);
+      if (from.size() < 2)
+      {
+        continue;
+      }
+    }
+    closed.cells.push_back(cell);
+    closed.first.push_back(static_cast<std::uint32_t>(closed.pixels.size()));
+    for (const std::int32_t number : from)
+    {
+      const auto index = static_cast<std::size_t>(number);
+      closed.pixels.insert(closed.pixels.end(), level.pixels.begin() + level.first[index],
+        level.pixels.begin() + level.first[index + 1]);
+    }
+  }
+  closed.first.push_back(static_cast<std::uint32_t>(closed.pixels.size()));
+  level.cells = std::move(closed.cells);
+  level.first = std::move(closed.first);
+  level.pixels = std::move(closed.pixels);
+}
 } // namespace
 
 ViewCoverage viewCoverage(
@@ -168,7 +224,9 @@ ViewCoverage viewCoverage(
   const std::vector<ChartPlace> places = placesOf(raster, cells);
   for (ViewCoverage::Level& level : coverage.levels)
   {
-    listPixels(places, layers[static_cast<std::size_t>(level.number)], view, level);
+    const CellLayer& layer = layers[static_cast<std::size_t>(level.number)];
+    listPixels(places, layer, view, level);
+    closeGaps(layer, level);
   }
   return coverage;
 }

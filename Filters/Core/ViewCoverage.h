@@ -42,7 +42,8 @@ struct ViewCoverage
 };
 
 // Of a checked view. layers: of all levels, 0 first. The image is looked at in twice its
-// resolution, as in the paper, for fewer cells without a pixel. The same for any number of threads.
+// resolution, as in the paper, for fewer cells without a pixel; those that remain between others
+// have the pixels of the cells around. The same for any number of threads.
 ViewCoverage viewCoverage(
   const TriangleMesh& mesh, Span<const CellLayer> layers, const TextureView& view);
 

@@ -15,7 +15,7 @@ namespace
 {
 constexpr double pi = 3.14159265358979323846;
 // Radians: extreme directions that are nearer than that to the centre say nothing.
-constexpr double leastAngle = 1e-6;
+constexpr float leastAngle = 1e-6f;
 
 glm::dvec3 unitOf(const glm::dvec3& vector, const glm::dvec3& otherwise)
 {
@@ -23,9 +23,26 @@ glm::dvec3 unitOf(const glm::dvec3& vector, const glm::dvec3& otherwise)
   return length > 0.0 && std::isfinite(length) ? vector / length : otherwise;
 }
 
-double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
+// Of (x, y), 0 to pi, for y >= 0; within 1e-5. Most of the time of making a texture is spent here.
+float upperAngle(float y, float x)
 {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+  const float across = std::abs(x);
+  const float t = std::min(y, across) / std::max(std::max(y, across), 1e-30f);
+  const float s = t * t;
+  const float octant = t *
+    (0.99997726f +
+      s *
+        (-0.33262347f +
+          s * (0.19354346f + s * (-0.11643287f + s * (0.05265332f - s * 0.01172120f)))));
+  const float quarter = y > across ? static_cast<float>(0.5 * pi) - octant : octant;
+  return x < 0.0f ? static_cast<float>(pi) - quarter : quarter;
+}
+
+// Rises with the angle of (x, y), -2 to 2.
+float angleOrder(float y, float x)
+{
+  const float along = x / std::max(std::abs(x) + std::abs(y), 1e-30f);
+  return y >= 0.0f ? 1.0f - along : along - 1.0f;
 }
 
 // At right angles to a unit vector.
@@ -43,63 +60,58 @@ FadeRegion::FadeRegion(const glm::dvec3& towards, Span<const glm::dvec3> extreme
   : isEverywhere(extremes.empty())
 {
   const glm::dvec3 middle = unitOf(towards, glm::dvec3(0.0, 0.0, 1.0));
-  const glm::dvec3 first = sideOf(middle);
   this->centre = middle;
-  this->side = first;
-  this->up = glm::cross(middle, first);
-  struct Extreme
-  {
-    float around;
-    double angle;
-    glm::dvec3 direction;
-  };
-  std::vector<Extreme> border;
-  border.reserve(extremes.size());
-  double most = 0.0;
+  this->side = sideOf(middle);
+  this->up = glm::cross(middle, glm::dvec3(this->side));
+  this->sectors.reserve(extremes.size());
+  float least = 1.0f; // cosine
   for (const glm::dvec3& extreme : extremes)
   {
-    const glm::dvec3 direction = unitOf(extreme, middle);
-    const double angle = angleBetween(middle, direction);
-    if (angle > leastAngle)
+    Sector sector;
+    sector.direction = unitOf(extreme, middle);
+    sector.cosine = glm::dot(this->centre, sector.direction);
+    sector.sine = glm::length(glm::cross(this->centre, sector.direction));
+    if (sector.sine > leastAngle || sector.cosine < 0.0f)
     {
-      border.push_back({ this->aroundOf(direction), angle, direction });
-      most = std::max(most, angle);
+      sector.order =
+        angleOrder(glm::dot(sector.direction, this->up), glm::dot(sector.direction, this->side));
+      this->sectors.push_back(sector);
+      least = std::min(least, sector.cosine);
     }
   }
-  if (border.size() <= 1)
+  if (this->sectors.size() <= 1)
   {
-    this->cone = static_cast<float>(most);
+    this->cone = this->sectors.empty()
+      ? 0.0f
+      : upperAngle(this->sectors.front().sine, this->sectors.front().cosine);
     return;
   }
-  std::sort(border.begin(), border.end(),
-    [](const Extreme& a, const Extreme& b)
-    { return a.around != b.around ? a.around < b.around : a.angle < b.angle; });
-  this->sectors.reserve(border.size());
-  for (std::size_t i = 0; i < border.size(); ++i)
+  std::sort(this->sectors.begin(), this->sectors.end(),
+    [](const Sector& a, const Sector& b)
+    { return a.order != b.order ? a.order < b.order : a.cosine > b.cosine; });
+  for (std::size_t i = 0; i < this->sectors.size(); ++i)
   {
-    const Extreme& next = border[(i + 1) % border.size()];
-    Sector sector = this->sectorBetween(border[i].direction, next.direction);
-    const double turn = i + 1 < border.size() ? 0.0 : 2.0 * pi;
-    sector.begin = border[i].around;
-    sector.width = static_cast<float>(next.around + turn - border[i].around);
-    sector.isGreatCircle =
-      sector.width > 0.0f && sector.width < static_cast<float>(pi - 1e-6) && sector.height > 0.0f;
-    this->sectors.push_back(sector);
+    this->closeSector(this->sectors[i], this->sectors[(i + 1) % this->sectors.size()]);
   }
   // Great circles between directions on one half of the sphere stay as near to its centre.
-  this->leastCosine = most < 0.5 * pi ? static_cast<float>(std::cos(most) - 1e-6) : -2.0f;
+  this->leastCosine = least > 0.0f ? least - 1e-6f : -2.0f;
 }
 
-FadeRegion::Sector FadeRegion::sectorBetween(const glm::dvec3& from, const glm::dvec3& to) const
+void FadeRegion::closeSector(Sector& sector, const Sector& next) const
 {
-  Sector sector;
-  const glm::dvec3 middle(this->centre);
-  const glm::dvec3 normal = glm::cross(from, to);
-  sector.normal = normal;
-  sector.height = static_cast<float>(glm::dot(normal, middle));
-  sector.angle = static_cast<float>(angleBetween(middle, from));
-  sector.nextAngle = static_cast<float>(angleBetween(middle, to));
-  return sector;
+  constexpr float leastHeight = 1e-6f; // of half a turn around the centre, and of none
+  sector.normal = glm::cross(sector.direction, next.direction);
+  sector.height = glm::dot(sector.normal, this->centre);
+  sector.isGreatCircle = sector.height > leastHeight * sector.sine * next.sine;
+  if (!sector.isGreatCircle)
+  {
+    sector.begin = this->aroundOf(sector.direction);
+    sector.width = this->aroundOf(next.direction) - sector.begin;
+    // Of two the second one's sector goes on to the first one.
+    sector.width += next.order <= sector.order ? static_cast<float>(2.0 * pi) : 0.0f;
+    sector.angle = upperAngle(sector.sine, sector.cosine);
+    sector.nextAngle = upperAngle(next.sine, next.cosine);
+  }
 }
 
 float FadeRegion::aroundOf(const glm::vec3& direction) const
@@ -107,16 +119,36 @@ float FadeRegion::aroundOf(const glm::vec3& direction) const
   return std::atan2(glm::dot(direction, this->up), glm::dot(direction, this->side));
 }
 
-const FadeRegion::Sector& FadeRegion::sectorAt(float around) const
+const FadeRegion::Sector& FadeRegion::sectorAt(const glm::vec3& direction) const
 {
+  const float order = angleOrder(glm::dot(direction, this->up), glm::dot(direction, this->side));
   for (std::size_t i = this->sectors.size(); i > 0; --i)
   {
-    if (this->sectors[i - 1].begin <= around)
+    if (this->sectors[i - 1].order <= order)
     {
       return this->sectors[i - 1];
     }
   }
   return this->sectors.back();
+}
+
+float FadeRegion::borderAt(const glm::vec3& direction, float cosine, float sine) const
+{
+  if (this->cone >= 0.0f)
+  {
+    return this->cone;
+  }
+  const Sector& sector = this->sectorAt(direction);
+  if (sector.isGreatCircle)
+  {
+    // Where the half circle from the centre through the direction meets the great circle.
+    return upperAngle(
+      sector.height * sine, cosine * sector.height - glm::dot(sector.normal, direction));
+  }
+  float along = this->aroundOf(direction) - sector.begin;
+  along += along < 0.0f ? static_cast<float>(2.0 * pi) : 0.0f;
+  return glm::mix(
+    sector.angle, sector.nextAngle, std::clamp(along / std::max(sector.width, 1e-6f), 0.0f, 1.0f));
 }
 
 float FadeRegion::relativeAngle(const glm::vec3& direction) const
@@ -132,30 +164,13 @@ float FadeRegion::relativeAngle(const glm::vec3& direction) const
     return beyond;
   }
   const float sine = glm::length(glm::cross(this->centre, direction));
-  const float angle = std::atan2(sine, cosine);
-  float border = this->cone;
-  if (border < 0.0f)
-  {
-    const float around = this->aroundOf(direction);
-    const Sector& sector = this->sectorAt(around);
-    if (sector.isGreatCircle)
-    {
-      // Where the half circle from the centre through the direction meets the great circle.
-      border = std::atan2(
-        sector.height * sine, cosine * sector.height - glm::dot(sector.normal, direction));
-    }
-    else
-    {
-      float along = around - sector.begin;
-      along += along < 0.0f ? static_cast<float>(2.0 * pi) : 0.0f;
-      border = glm::mix(sector.angle, sector.nextAngle,
-        std::clamp(along / std::max(sector.width, 1e-6f), 0.0f, 1.0f));
-    }
-    // In the centre no side is meant.
-    border = sine > 0.0f || cosine < 0.0f ? border : 1.0f;
-  }
+  const float angle = upperAngle(sine, cosine);
   constexpr float rounding = 1e-6f; // radians: of float directions, for regions without extent
-  return angle <= rounding ? 0.0f : std::min(angle / std::max(border, rounding), 1e6f);
+  if (angle <= rounding)
+  {
+    return 0.0f; // towards no side
+  }
+  return std::min(angle / std::max(this->borderAt(direction, cosine, sine), rounding), 1e6f);
 }
 
 float fadeCurveAt(Span<const glm::dvec2> curve, float relativeAngle)

@@ -33,17 +33,21 @@ public:
 private:
   struct Sector // from an extreme direction to the next
   {
-    float begin = 0.0f; // angle around the centre, radians
-    float width = 0.0f;
+    glm::vec3 direction{ 0.0f };
+    float cosine = 1.0f, sine = 0.0f; // from the centre
+    float order = 0.0f;               // rises with the angle around the centre
     bool isGreatCircle = false;
     glm::vec3 normal{ 0.0f }; // of the great circle
     float height = 0.0f;      // of the centre over it
+    // Others, radians: around the centre, and from the centre at both ends.
+    float begin = 0.0f, width = 0.0f;
     float angle = 0.0f, nextAngle = 0.0f;
   };
 
-  Sector sectorBetween(const glm::dvec3& from, const glm::dvec3& to) const;
-  const Sector& sectorAt(float around) const;
+  void closeSector(Sector& sector, const Sector& next) const;
+  const Sector& sectorAt(const glm::vec3& direction) const;
   float aroundOf(const glm::vec3& direction) const;
+  float borderAt(const glm::vec3& direction, float cosine, float sine) const;
 
   glm::vec3 centre{ 0.0f, 0.0f, 1.0f };
   glm::vec3 side{ 1.0f, 0.0f, 0.0f }; // both at right angles to the centre and each other
@@ -51,7 +55,7 @@ private:
   bool isEverywhere = false;
   float cone = -1.0f;          // radians; negative: none
   float leastCosine = -1.0f;   // from the centre; whatever is less is beyond
-  std::vector<Sector> sectors; // by `begin`
+  std::vector<Sector> sectors; // by `order`
 };
 
 // The value of a fade curve at a relative angle.

@@ -10,7 +10,7 @@
 namespace hachure
 {
 
-// How directions are stored: see Kernels/ViewTexture.glsl.
+// How directions are stored: see Kernels/ViewCells.glsl.
 enum class HemisphereMap
 {
   Octahedral, // the whole square

@@ -46,6 +46,8 @@ DESCRIPTIONS = {
              "the brush, dark and light ones, which stand for its relief.",
     "engraving": "Fine phasor lines. With `directionArray` set to an array of directions, as "
                  "vtkSurfaceDirectionField makes, they follow the shape.",
+    "view": "Pictures of the surface, each seen from where it was made: `manifest` names the file that lists "
+            "them. Without one it is grey.",
     "xtoon": "What a threshold cannot do: an image says the ink of every value of the noise and every tone "
              "(the X-toon look-up). Here blots have a dark rim, and a fill in four steps.",
 }

@@ -3,6 +3,7 @@
 
 #include "PatternCost.h"
 
+#include "BenchmarkViews.h"
 #include "DeviceMemory.h"
 #include "DrawingWindow.h"
 #include "ErrorCollector.h"
@@ -199,6 +200,7 @@ PatternCost measure(
   vtkNew<vtkPatternMapper> patternMapper;
   patternMapper->SetInputDataObject(surface);
   const auto style = makeStyle(configuration.style);
+  addViews(style, surface);
 
   View plain(options, plainMapper);
   plain.fill(WantedCoverage);

@@ -84,6 +84,20 @@ TextureView parallelView(int size)
   return view;
 }
 
+// Whether no pixel is in a cell, where triangles are charts.
+bool isGap(const SurfaceRaster& raster, const CellLayer& layer, std::int32_t cell)
+{
+  for (std::size_t pixel = 0; pixel < raster.triangles.size(); ++pixel)
+  {
+    const std::int32_t chart = raster.triangles[pixel];
+    if (chart == layer.chartOf(cell) && layer.cellAt({ chart, raster.weights[pixel] }) == cell)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 double depthAt(const Surface& surface, const std::vector<CellLayer>& layers, double distance)
 {
   return viewCoverage(
@@ -223,6 +237,10 @@ TEST(ViewCoverage, ListsAllPixelsOfCells)
     for (std::size_t i = 0; i < level.cells.size(); ++i)
     {
       EXPECT_LT(level.first[i], level.first[i + 1]);
+      if (isGap(raster, layer, level.cells[i]))
+      {
+        continue;
+      }
       for (std::size_t j = level.first[i]; j < level.first[i + 1]; ++j)
       {
         const CoveredPixel& covered = level.pixels[j];

@@ -9,12 +9,14 @@
 
 #include "Core/CellLayers.h"
 #include "Core/TextureView.h"
+#include "Core/ViewTexture.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -108,6 +110,73 @@ inline std::vector<CellLayer> layersOf(const SurfaceCells& cells)
     layers.emplace_back(cells, level);
   }
   return layers;
+}
+
+using Paint = std::function<glm::u8vec4(int column, int row)>;
+
+inline std::vector<glm::u8vec4> paint(const TextureView& view, const Paint& color)
+{
+  std::vector<glm::u8vec4> pixels;
+  pixels.reserve(static_cast<std::size_t>(view.width * view.height));
+  for (int row = 0; row < view.height; ++row)
+  {
+    for (int column = 0; column < view.width; ++column)
+    {
+      pixels.push_back(color(column, row));
+    }
+  }
+  return pixels;
+}
+
+struct Textured
+{
+  Surface surface;
+  SurfaceCells cells;
+  ViewTexture texture;
+
+  Textured(
+    const Surface& ofSurface, const SurfaceCells& ofCells, const ViewTextureOptions& options = {})
+    : surface(ofSurface)
+    , cells(ofCells)
+    , texture(surface.mesh(), cells, surfaceFrames(surface.mesh(), cells), options)
+  {
+  }
+  explicit Textured(const Surface& ofSurface, const ViewTextureOptions& options = {})
+    : Textured(ofSurface, trianglesAsCells(ofSurface.mesh()), options)
+  {
+  }
+  void setImage(std::size_t index, const TextureView& view, const Paint& color)
+  {
+    const std::vector<glm::u8vec4> pixels = paint(view, color);
+    this->texture.setImage(index, { view.width, view.height, pixels });
+  }
+  std::int64_t nodes() const { return this->cells.firstNode.back(); }
+};
+
+const glm::u8vec4 redPixel(255, 0, 0, 255);
+const glm::u8vec4 bluePixel(0, 0, 255, 255);
+const glm::u8vec4 clearPixel(0, 0, 0, 0);
+
+inline Paint plain(const glm::u8vec4& color)
+{
+  return [color](int, int) { return color; };
+}
+
+// Cameras all around.
+inline std::vector<TextureView> viewsAround(int count, int size)
+{
+  std::vector<TextureView> views;
+  views.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i)
+  {
+    const double height = 1.0 - (2.0 * i + 1.0) / count;
+    const double around = 2.39996323 * i;
+    const double side = std::sqrt(1.0 - height * height);
+    views.push_back(viewFrom(
+      (3.2 + 0.1 * (i % 3)) * glm::dvec3(side * std::cos(around), height, side * std::sin(around)),
+      glm::dvec3(0.0), size, size));
+  }
+  return views;
 }
 
 } // namespace hachure

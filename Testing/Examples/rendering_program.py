@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Hachure contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of hachure-render share: running it, small inputs, reading its pictures."""
+"""What the tests of the programs share: running them, small inputs, reading their pictures."""
 
 import os
 import shutil
@@ -11,6 +11,7 @@ import vtk
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 PROGRAM, FOLDER = sys.argv[1:3]
+NAME = os.path.basename(PROGRAM)
 
 
 def fresh_folder():
@@ -37,7 +38,7 @@ def refused(message, *arguments):
     before = sorted(os.listdir("."))
     done = run(*arguments)
     assert done.returncode == 2, (arguments, done.returncode, done.stderr)
-    assert done.stderr.count("\n") == 1 and done.stderr.startswith("hachure-render: "), done.stderr
+    assert done.stderr.count("\n") == 1 and done.stderr.startswith(NAME + ": "), done.stderr
     assert message in done.stderr, (message, done.stderr)
     assert done.stdout == ""
     assert sorted(os.listdir(".")) == before, "something was written"

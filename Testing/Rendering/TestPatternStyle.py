@@ -370,7 +370,7 @@ def test_presets():
     assert names == [
         "hatch", "cross-hatch", "halftone", "cmyk", "painterly", "paper", "stipple", "stipple-white",
         "stipple-two-inks", "gabor", "phasor", "spot", "noise-stipple", "noise-hatch", "noise-cross-hatch", "graphite", "ink", "watercolour",
-        "felt-tip", "brush", "engraving"], names
+        "felt-tip", "brush", "engraving", "view"], names
     assert hachure.vtkPatternStyle.GetPresetName(count) is None
     assert hachure.vtkPatternStyle.GetDefaultPresetName() in names
     layer = hachure.vtkImagePatternLayer
@@ -384,8 +384,10 @@ def test_presets():
         if i < len(patterns):
             assert layer.GetPattern() == patterns[i], name
         else:
-            assert layer.GetTypeName() == ("stipple" if name.startswith("stipple") else "noise"), name
-        without = name in ("painterly", "brush") or name.startswith("stipple")
+            assert layer.GetTypeName() == (
+                {"s": "stipple", "v": "view"}.get(name[0]) if name.startswith(("stipple", "view"))
+                else "noise"), name
+        without = name in ("painterly", "brush", "view") or name.startswith("stipple")
         assert style.GetOutline() != without, name
         texts.add(style.ToJson())
     assert len(texts) == len(names)

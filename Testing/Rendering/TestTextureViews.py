@@ -320,8 +320,11 @@ def test_wrong_values():
     expect_error(lambda: views.SetViewCamera(0, None), "expected a camera, got null")
 
     sheared = [[1, 2, 3, 4], [2, 1, 0, 1], [3, 3, 3, 5], [0, 0, 0, 1]]
+    rounded = numpy.array([[0.1, 0.2, 0.7, 0.4], [1 / 3, -0.9, 0.3, 1 / 7], [0] * 4, [0, 0, 0.3, 1]])
+    rounded[2] = 0.3 * rounded[0] + 0.7 * rounded[1]
+    assert matrix(rounded).Determinant() != 0.0, "but only by rounding"
     for rows, text in ((sheared, "singular"), ([[0] * 4] * 4, "determinant is 0"),
-                       ([[0.1, 0.2, 0.3, 0.4]] * 3 + [[0, 0, 0, 1]], "singular"),
+                       (rounded, "singular"),
                        ([[nan] * 4] * 4, "16 finite numbers")):
         expect_error(lambda: views.SetViewMatrix(0, matrix(rows)), "SetViewMatrix", text)
         assert expect_error(lambda: views.AddView("b", matrix(rows), image()), text) == -1

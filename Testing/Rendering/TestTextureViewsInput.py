@@ -4,6 +4,7 @@
 
 import json
 import os
+import re
 import tempfile
 
 import hachure
@@ -180,6 +181,24 @@ def test_defaults(folder):
     expected = new_views()
     expected.AddView("", vtkCamera(), image())
     assert all_of(views) == all_of(expected)
+
+
+def test_documentation(folder):
+    """The example of the documentation reads, and means what it says."""
+    page = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples",
+                        "Programs", "views.schema.md")
+    with open(page, encoding="utf-8") as stream:
+        text = re.search("```json\n(.*?)```", stream.read(), re.DOTALL).group(1)
+    for name, picture in (("front", image()), ("front-mask", image()), ("side", image(5, 5)),
+                          ("front-depth", depth_image())):
+        write_picture(os.path.join(folder, name + ".png"), picture)
+    with open(os.path.join(folder, "views.json"), "w", encoding="utf-8") as stream:
+        stream.write(text)
+    views, file = new_views(), manifest()
+    assert file.Read(os.path.join(folder, "views.json"), views), file.GetError()
+    assert views.GetViewName(1) == "all around" and views.GetViewKind(1) == Views.INDEPENDENT
+    assert views.GetNumberOfExtremePoints(0) == 4 and views.GetNumberOfBlendPoints() == 1
+    assert triple(views.GetViewDepthRange, 0, size=2) == (8.5, 12)
 
 
 def good():
@@ -367,9 +386,11 @@ def test_writing_fails(folder):
     os.rmdir(name)
     with open(name, "w", encoding="utf-8") as stream:
         stream.write("painted with care")
-    os.mkdir(os.path.join(folder, ".side.png.part"))  # in the way of the second image
-    failed(name, "cannot write the image", "side.png")
-    os.rmdir(os.path.join(folder, ".side.png.part"))
+    for way, text in ((".side.png.part", "cannot write the image"),
+                      (".views.json.part", "cannot write the manifest")):
+        os.mkdir(os.path.join(folder, way))  # in the way of the second image, of the manifest
+        failed(name, text)
+        os.rmdir(os.path.join(folder, way))
     views.GetViewImage(2).DeepCopy(vtkImageData())
     failed(name, "Write", 'the image of the view "": expected an image of one slice')
     with open(name, encoding="utf-8") as stream:
@@ -391,6 +412,8 @@ with tempfile.TemporaryDirectory() as temporary:
     test_reading_again(*test_round_trip(temporary))
 with tempfile.TemporaryDirectory() as temporary:
     test_defaults(temporary)
+with tempfile.TemporaryDirectory() as temporary:
+    test_documentation(temporary)
 with tempfile.TemporaryDirectory() as temporary:
     test_wrong_manifests(temporary)
 with tempfile.TemporaryDirectory() as temporary:

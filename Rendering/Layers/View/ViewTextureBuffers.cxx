@@ -148,6 +148,16 @@ void ViewTextureBuffers::UploadColors(
     1.0f / static_cast<float>(rows) };
 }
 
+void ViewTextureBuffers::UploadNothing(vtkOpenGLRenderWindow* window)
+{
+  // One triangle of no chart.
+  const std::vector<glm::vec4> record = { glm::vec4(0.0f), { 0.0f, 0.0f, 0.0f, -1.0f } };
+  this->Triangles.Upload(window, record, components);
+  this->Frames.Upload(window, std::vector<glm::vec4>(2, glm::vec4(0.0f)), components);
+  this->Charts.Upload(window, std::vector<glm::vec4>(2, glm::vec4(0.0f)), components);
+  this->UploadColors(window, {});
+}
+
 bool ViewTextureBuffers::IsUsable() const
 {
   return this->Triangles.IsUsable() && this->Frames.IsUsable() && this->Charts.IsUsable() &&

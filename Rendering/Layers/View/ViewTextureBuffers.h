@@ -32,6 +32,9 @@ public:
   /// Throws std::runtime_error where the window cannot hold as many colours.
   void UploadColors(vtkOpenGLRenderWindow* window, const hachure::ViewTextureColors& colors);
 
+  /// What samplers need where there is nothing to read.
+  void UploadNothing(vtkOpenGLRenderWindow* window);
+
   bool IsUsable() const;
   void SetUniforms(vtkShaderProgram* program, const std::string& number) const;
   void Activate();

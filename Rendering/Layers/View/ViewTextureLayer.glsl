@@ -41,7 +41,8 @@ vec4 hachureIndependentAt@(int node)
 {
 #if HASINDEPENDENT
   int columns = int(hachureNodeImages@.y);
-  return texelFetch(hachureIndependent@, ivec2(node % columns, node / columns), 0);
+  // What nobody knows is grey.
+  return vec4(texelFetch(hachureIndependent@, ivec2(node % columns, node / columns), 0).rgb, 1.0);
 #else
   return vec4(0.0);
 #endif
@@ -119,6 +120,10 @@ int hachureFindChart@(int start, inout vec2 place)
 
 float hachureCoverage@(vec2 position, float tone)
 {
+  if (hachureCellShape@.x < 0.0)
+  {
+    return 0.0; // nothing could be made
+  }
   vec4 corners;
   vec4 places;
   vec3 weights;
@@ -151,6 +156,7 @@ float hachureCoverage@(vec2 position, float tone)
   vec4 independent = mix(below.independent, above.independent, part);
   vec4 color = vec4(dependent.rgb + (1.0 - dependent.a) * independent.a * independent.rgb,
     dependent.a + (1.0 - dependent.a) * independent.a);
-  hachureViewColor@ = color.rgb / max(color.a, 1.0e-4);
+  // Bytes of pictures come out as they were: ink is linear by another curve than sRGB.
+  hachureViewColor@ = toLinear(encodedSrgb(color.rgb / max(color.a, 1.0e-4)));
   return color.a * clamp(tone, 0.0, 1.0);
 }

@@ -3,6 +3,7 @@
 #include "vtkViewTextureLayer.h"
 
 #include "PatternStyleArchive.h"
+#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkTextureViewsManifest.h"
@@ -73,9 +74,40 @@ vtkMTimeType vtkViewTextureLayer::GetMTime()
   return std::max(this->Superclass::GetMTime(), this->Views->GetMTime());
 }
 
+void vtkViewTextureLayer::DescribeManifest(hachure::StyleArchive& archive)
+{
+  const char* const key = "manifest";
+  if (!archive.isReading())
+  {
+    if (!this->ManifestFileName.empty())
+    {
+      archive.writeFileName(key, this->ManifestFileName);
+    }
+    else if (this->Views->GetNumberOfViews() > 0)
+    {
+      archive.fail(key, "the views have no manifest; write one and call SetManifestFileName");
+    }
+  }
+  else if (archive.has(key))
+  {
+    const std::string fileName = archive.readFileName(key);
+    vtkNew<vtkTextureViews> views;
+    vtkNew<vtkTextureViewsManifest> manifest;
+    vtkNew<vtkCallbackCommand> quiet; // the archive tells of it
+    manifest->AddObserver(vtkCommand::ErrorEvent, quiet);
+    if (!manifest->Read(fileName.c_str(), views))
+    {
+      archive.fail(key, manifest->GetError());
+    }
+    this->SetViews(views);
+    this->ManifestFileName = fileName;
+  }
+}
+
 void vtkViewTextureLayer::DescribeField(hachure::StyleArchive& archive)
 {
   using Self = vtkViewTextureLayer;
+  this->DescribeManifest(archive);
   archive.choice("display", this, &Self::GetDisplay, &Self::SetDisplay,
     { "combined", "dependentOnly", "independentOnly", "coverage" });
   archive.choice("base", this, &Self::GetBase, &Self::SetBase, { "views", "below" });

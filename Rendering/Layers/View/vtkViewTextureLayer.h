@@ -135,6 +135,10 @@ private:
   vtkViewTextureLayer(const vtkViewTextureLayer&) = delete;
   void operator=(const vtkViewTextureLayer&) = delete;
 
+#ifndef __VTK_WRAP__
+  void DescribeManifest(hachure::StyleArchive& archive);
+#endif
+
   vtkSmartPointer<vtkTextureViews> Views;
   std::string ManifestFileName;
   int Display = COMBINED;

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkViewTextureLayerPainter.h"
 
+#include "BlendPoints.h"
 #include "Kernels.h"
+#include "TextureViewInput.h"
+#include "ViewTexture.h"
 #include "ViewTextureLayer.h"
 #include "ViewTextureLevel.h"
+#include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureViews.h"
@@ -15,11 +19,104 @@
 #include <glm/matrix.hpp>
 
 #include <cmath>
+#include <exception>
+#include <tuple>
+#include <utility>
 
+namespace
+{
+constexpr double farAway = 1e-9; // w of points at infinity, of their length
+} // namespace
+
+// The blended colours, and what they were made of.
 struct vtkViewTextureLayerPainter::Texture
 {
-  hachure::ViewTextureColors Colors;
+  // Of one surface and one choice of options.
+  using Options = std::tuple<int, int, bool, bool>;
+  Options MadeWith{ 0, 0, false, false };
+  std::unique_ptr<hachure::ViewTexture> Blend;
+  std::vector<std::pair<vtkMTimeType, vtkMTimeType>> Cameras; // with their ranges
+  std::vector<vtkMTimeType> Images;
+  int Content = -1;
+
+  bool SetViews(vtkTextureViews* views, const glm::dvec3& center);
+  bool SetImages(vtkTextureViews* views);
 };
+
+// Whether any has changed.
+bool vtkViewTextureLayerPainter::Texture::SetViews(vtkTextureViews* views, const glm::dvec3& center)
+{
+  std::vector<std::pair<vtkMTimeType, vtkMTimeType>> times;
+  times.reserve(static_cast<std::size_t>(views->GetNumberOfViews()));
+  for (int i = 0; i < views->GetNumberOfViews(); ++i)
+  {
+    times.emplace_back(views->GetViewCameraMTime(i), views->GetViewRangeMTime(i));
+  }
+  if (times == this->Cameras)
+  {
+    return false;
+  }
+  std::vector<hachure::TextureView> all;
+  all.reserve(times.size());
+  for (int i = 0; i < views->GetNumberOfViews(); ++i)
+  {
+    all.push_back(hachure::textureView(views, i, center));
+  }
+  this->Blend->setViews(all);
+  this->Cameras = times;
+  return true;
+}
+
+bool vtkViewTextureLayerPainter::Texture::SetImages(vtkTextureViews* views)
+{
+  const auto count = static_cast<std::size_t>(views->GetNumberOfViews());
+  bool any = this->Images.size() != count;
+  this->Images.resize(count, 0);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const int view = static_cast<int>(i);
+    const vtkMTimeType time = views->GetViewImageMTime(view);
+    if (time != this->Images[i])
+    {
+      const std::vector<glm::u8vec4> pixels = hachure::texturePixels(views, view);
+      const int* const size = views->GetViewImage(view)->GetDimensions();
+      this->Blend->setImage(i, { size[0], size[1], pixels });
+      this->Images[i] = time;
+      any = true;
+    }
+  }
+  return any;
+}
+
+namespace
+{
+hachure::ViewTextureOptions OptionsOf(vtkViewTextureLayer* layer)
+{
+  hachure::ViewTextureOptions options;
+  options.hemisphere = layer->GetViews()->GetHemisphere();
+  options.map = layer->GetViews()->GetHemisphereMap() == vtkTextureViews::DISK
+    ? hachure::HemisphereMap::Disk
+    : hachure::HemisphereMap::Octahedral;
+  options.propagateUp = layer->GetPropagateUp();
+  options.classicShares = layer->GetClassicShares();
+  return options;
+}
+
+hachure::ViewTextureContent ContentOf(int display)
+{
+  switch (display)
+  {
+    case vtkViewTextureLayer::DEPENDENT_ONLY:
+      return hachure::ViewTextureContent::DependentOnly;
+    case vtkViewTextureLayer::INDEPENDENT_ONLY:
+      return hachure::ViewTextureContent::IndependentOnly;
+    case vtkViewTextureLayer::COVERAGE:
+      return hachure::ViewTextureContent::Coverage;
+    default:
+      return hachure::ViewTextureContent::Combined;
+  }
+}
+} // namespace
 
 vtkViewTextureLayerPainter::vtkViewTextureLayerPainter(vtkViewTextureLayer* layer)
   : Layer(layer)
@@ -85,24 +182,7 @@ void vtkViewTextureLayerPainter::UpdateCells(vtkPatternSurface& surface)
   {
     this->Buffers.UploadCells(this->Window, surface.Runs(), cells->Cells, cells->First);
     this->Cells = cells;
-    hachure::ViewTextureColors colors;
-    std::vector<glm::u8vec4> all(static_cast<std::size_t>(cells->Cells.firstNode.back()));
-    for (std::size_t chart = 0; chart < cells->Cells.charts.size(); ++chart)
-    {
-      for (int level = 0; level <= cells->Cells.finestLevel; ++level)
-      {
-        const auto first = hachure::firstNodeOf(cells->Cells, chart, level);
-        const int m = hachure::subdivisionsOf(cells->Cells.charts[chart], level);
-        for (int i = 0; i < hachure::glsl::chartNodes(m); ++i)
-        {
-          const glm::vec3 c(0.5f + 0.5f * std::sin(chart * 2.1f),
-            0.5f + 0.5f * std::sin(chart * 1.3f + 1), i < (1 << (2 * m)) ? 0.9f : 0.1f);
-          all[first + i] = glm::u8vec4(glm::u8vec3(255.0f * c), 255);
-        }
-      }
-    }
-    colors.independent = all;
-    this->Buffers.UploadColors(this->Window, colors);
+    this->Colors->Blend.reset();
   }
   const glm::dvec3& origin = this->CurrentScene.PatchOrigin;
   if (others || this->SurfaceVersion != surface.GetVersion() || this->Origin != origin)
@@ -113,6 +193,65 @@ void vtkViewTextureLayerPainter::UpdateCells(vtkPatternSurface& surface)
   }
 }
 
+void vtkViewTextureLayerPainter::UpdateColors(vtkPatternSurface& surface)
+{
+  vtkTextureViews* views = this->Layer->GetViews();
+  Texture& texture = *this->Colors;
+  const Texture::Options options(views->GetHemisphere(), views->GetHemisphereMap(),
+    this->Layer->GetPropagateUp(), this->Layer->GetClassicShares());
+  if (!texture.Blend || options != texture.MadeWith)
+  {
+    texture = {};
+    texture.MadeWith = options;
+    const std::vector<glm::dvec3> first = surface.FirstPositions();
+    texture.Blend = std::make_unique<hachure::ViewTexture>(
+      hachure::TriangleMesh{ first, surface.Mesh().triangles, {} }, this->Cells->Cells,
+      this->Cells->First, OptionsOf(this->Layer));
+  }
+  const bool otherViews = texture.SetViews(views, this->Origin);
+  const bool otherImages = texture.SetImages(views);
+  const int content = this->Layer->GetDisplay();
+  if (otherViews || otherImages || content != texture.Content)
+  {
+    texture.Content = content;
+    this->Buffers.UploadColors(this->Window, texture.Blend->colors(ContentOf(content)));
+  }
+}
+
+namespace
+{
+glm::dvec3 PointOf(const glm::dmat4& toModel, double depth)
+{
+  const glm::dvec4 point = toModel * glm::dvec4(0.0, 0.0, depth, 1.0);
+  return glm::dvec3(point) / point.w;
+}
+
+// How much this camera sees of what is seen from everywhere. Cameras without perspective are where
+// their near plane is.
+double BaseShare(vtkTextureViews* views, const glm::dmat4& modelToClip, const glm::dvec3& center)
+{
+  std::vector<hachure::BlendPoint> points(
+    static_cast<std::size_t>(views->GetNumberOfBlendPoints()));
+  if (points.empty())
+  {
+    return 0.0;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const int index = static_cast<int>(i);
+    views->GetBlendPointPosition(index, &points[i].position[0]);
+    views->GetBlendPointDirection(index, &points[i].direction[0]);
+    points[i].share = views->GetBlendPointPercentage(index) / 100.0;
+  }
+  const glm::dmat4 toModel = glm::inverse(modelToClip);
+  const glm::dvec4 eye = toModel * glm::dvec4(0.0, 0.0, -1.0, 0.0);
+  const glm::dvec3 near = PointOf(toModel, -1.0);
+  const bool parallel = std::abs(eye.w) < farAway * glm::length(glm::dvec3(eye));
+  return hachure::BlendFunction(points, center)
+    .at(parallel ? near : glm::dvec3(eye) / eye.w, PointOf(toModel, 1.0) - near);
+}
+} // namespace
+
 void vtkViewTextureLayerPainter::UpdateView(const FieldScene& scene)
 {
   const glm::dmat4 toClip = glm::translate(scene.ModelToClip, this->Origin);
@@ -122,7 +261,6 @@ void vtkViewTextureLayerPainter::UpdateView(const FieldScene& scene)
   this->RowW = glm::vec4(glm::row(toClip, 3));
   // What all of its depths are drawn to one point of the picture is the eye.
   const glm::dvec4 eye = glm::inverse(toClip) * glm::dvec4(0.0, 0.0, -1.0, 0.0);
-  constexpr double farAway = 1e-9;
   const bool parallel = std::abs(eye.w) < farAway * glm::length(glm::dvec3(eye));
   this->Viewer = parallel ? glm::vec4(glm::vec3(eye), 0.0f)
                           : glm::vec4(glm::vec3(eye) / static_cast<float>(eye.w), 1.0f);
@@ -134,14 +272,31 @@ void vtkViewTextureLayerPainter::UpdateView(const FieldScene& scene)
     ? hachure::levelOfSurface(scene.Surface->Mesh(), scene.ModelToClip, logicalSize, cellArea)
     : 0.0;
   this->Shape = { static_cast<float>(cellArea), static_cast<float>(this->Cells->Cells.finestLevel),
-    0.0f, one ? 1.0f + static_cast<float>(std::max(level, 0.0)) : 0.0f };
+    static_cast<float>(BaseShare(this->Layer->GetViews(), scene.ModelToClip, this->Origin)),
+    one ? 1.0f + static_cast<float>(std::max(level, 0.0)) : 0.0f };
 }
 
 std::string vtkViewTextureLayerPainter::DrawField(const FieldScene& scene, int)
 {
-  this->UpdateCells(*scene.Surface);
-  this->UpdateView(scene);
-  return {};
+  std::string problem;
+  this->Drawn = false;
+  try
+  {
+    this->UpdateCells(*scene.Surface);
+    this->UpdateColors(*scene.Surface);
+    this->UpdateView(scene);
+    this->Drawn = this->Buffers.IsUsable();
+  }
+  catch (const std::exception& error)
+  {
+    problem = error.what();
+  }
+  if (!this->Drawn)
+  {
+    this->Buffers.UploadNothing(this->Window);
+    this->Shape.x = -1.0f;
+  }
+  return problem;
 }
 
 std::string vtkViewTextureLayerPainter::DrawForwardField(const FieldScene& scene, int channel)
@@ -182,4 +337,5 @@ void vtkViewTextureLayerPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Buffers.Release(window);
   this->Cells.reset();
+  this->Colors = std::make_unique<Texture>();
 }

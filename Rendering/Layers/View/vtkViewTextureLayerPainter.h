@@ -45,6 +45,7 @@ private:
   bool HasDependent() const;
   bool HasIndependent() const;
   void UpdateCells(vtkPatternSurface& surface);
+  void UpdateColors(vtkPatternSurface& surface);
   void UpdateView(const FieldScene& scene);
 
   vtkWeakPointer<vtkViewTextureLayer> Layer;
@@ -57,6 +58,7 @@ private:
   unsigned long SurfaceVersion = 0;                  // whose frames are
   glm::dvec3 Origin{ 0.0 };                          // of these
   std::unique_ptr<Texture> Colors;
+  bool Drawn = false; // otherwise there is nothing in the buffers
 
   // Uniforms.
   glm::vec4 RowX{ 0.0f };

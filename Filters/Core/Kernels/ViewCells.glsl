@@ -206,3 +206,18 @@ vec2 unpackedPlace(float packedNumber)
   float x = floor(packedNumber / (placeSteps + 1.0f));
   return vec2(x, packedNumber - x * (placeSteps + 1.0f)) * 3.0f / placeSteps - vec2(1.0f);
 }
+
+// A linear colour as sRGB has it, and the other way.
+vec3 encodedSrgb(vec3 color)
+{
+  vec3 inside = clamp(color, vec3(0.0f), vec3(1.0f));
+  vec3 dark = 12.92f * inside;
+  vec3 bright = 1.055f * pow(max(inside, vec3(0.0031308f)), vec3(1.0f / 2.4f)) - vec3(0.055f);
+  return mix(dark, bright, step(vec3(0.0031308f), inside));
+}
+vec3 decodedSrgb(vec3 color)
+{
+  vec3 dark = color / 12.92f;
+  vec3 bright = pow((max(color, vec3(0.04045f)) + vec3(0.055f)) / 1.055f, vec3(2.4f));
+  return mix(dark, bright, step(vec3(0.04045f), color));
+}

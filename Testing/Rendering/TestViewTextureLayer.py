@@ -282,6 +282,13 @@ def test_one_level_for_all():
     assert (scene.draw(stage(scene.plane(3.0), layer)[2]) != 128).any()
 
 
+def test_a_small_budget_leaves_out_levels():
+    layer = view_layer(finest=5, MemoryBudget=2)
+    add_view(layer, (0.0, 0.0, 3.0), even((30, 200, 30)))
+    near(color_at(stage(scene.plane(), layer)[2]), (30, 200, 30), 8)
+    scene.expect_messages("more than the memory budget of 2 MiB; the finest level is")
+
+
 def test_style_files_hold_the_manifest():
     folder = tempfile.mkdtemp()
     layer = view_layer(finest=2, Base=LAYER.BELOW, Display=LAYER.COVERAGE, MemoryBudget=64)

@@ -59,6 +59,14 @@ void UploadSquares(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   const auto width = side * static_cast<std::size_t>(columns);
   const std::size_t squares = colors.size() / (side * side);
   const std::size_t rows = (squares + static_cast<std::size_t>(columns) - 1) / columns;
+  const auto most =
+    static_cast<std::size_t>(std::max(vtkTextureObject::GetMaximumTextureSize(window), 0));
+  if (most > 0 && std::max(width, side * rows) > most)
+  {
+    throw std::runtime_error("the colours of the surface's cells fill an image of " +
+      std::to_string(width) + " x " + std::to_string(side * rows) +
+      " pixels; this OpenGL takes at most " + std::to_string(most));
+  }
   std::vector<glm::u8vec4> texels(width * side * rows, glm::u8vec4(0));
   for (std::size_t square = 0; square < squares; ++square)
   {

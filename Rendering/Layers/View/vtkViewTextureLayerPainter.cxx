@@ -195,6 +195,13 @@ void vtkViewTextureLayerPainter::UpdateCells(vtkPatternSurface& surface)
   {
     this->Buffers.UploadCells(this->Window, surface.Runs(), cells->Cells, cells->First);
     this->Cells = cells;
+    const int wanted = this->Layer->GetViews()->GetFinestLevel();
+    this->Note = cells->Cells.finestLevel < wanted && !cells->Cells.charts.empty()
+      ? "the colours of levels 0 to " + std::to_string(wanted) +
+        " would take more than the memory budget of " +
+        std::to_string(this->Layer->GetMemoryBudget()) + " MiB; the finest level is " +
+        std::to_string(cells->Cells.finestLevel)
+      : std::string();
     this->Colors->Blend.reset();
   }
   const glm::dvec3& origin = this->CurrentScene.PatchOrigin;

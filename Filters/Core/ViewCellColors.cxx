@@ -3,6 +3,7 @@
 #include "ViewCellColors.h"
 
 #include "Parallel.h"
+#include "SrgbColor.h"
 
 #include <glm/geometric.hpp>
 
@@ -14,40 +15,6 @@ namespace hachure
 {
 namespace
 {
-// IEC 61966-2-1.
-double linearOfSrgb(double value)
-{
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
-double srgbOfLinear(double value)
-{
-  return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
-}
-
-std::array<float, 256> makeLinear()
-{
-  std::array<float, 256> table{};
-  for (std::size_t i = 0; i < table.size(); ++i)
-  {
-    table[i] = static_cast<float>(linearOfSrgb(static_cast<double>(i) / 255.0));
-  }
-  return table;
-}
-
-constexpr int srgbSteps = 1 << 14; // four for the smallest byte, where the curve is steepest
-
-std::vector<std::uint8_t> makeSrgb()
-{
-  std::vector<std::uint8_t> table(srgbSteps + 1);
-  for (std::size_t i = 0; i < table.size(); ++i)
-  {
-    table[i] = static_cast<std::uint8_t>(
-      std::lround(255.0 * srgbOfLinear(static_cast<double>(i) / srgbSteps)));
-  }
-  return table;
-}
-
 glm::vec4 meanOf(
   Span<const CoveredPixel> pixels, Span<const glm::u8vec4> image, const glm::vec4* color)
 {
@@ -121,26 +88,6 @@ std::vector<std::int32_t> openAround(const CellLayer& layer, Span<const std::int
   return open;
 }
 } // namespace
-
-glm::vec4 linearOf(const glm::u8vec4& color)
-{
-  static const std::array<float, 256> table = makeLinear();
-  const float alpha = static_cast<float>(color.a) / 255.0f;
-  return { alpha * table[color.r], alpha * table[color.g], alpha * table[color.b], alpha };
-}
-
-std::uint8_t srgbByteOf(float linear)
-{
-  static const std::vector<std::uint8_t> table = makeSrgb();
-  const float place = std::clamp(linear, 0.0f, 1.0f) * static_cast<float>(srgbSteps) + 0.5f;
-  return table[static_cast<std::size_t>(place)];
-}
-
-std::uint8_t byteOf(float share)
-{
-  const float rounded = std::clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f;
-  return static_cast<std::uint8_t>(rounded);
-}
 
 float ViewCellColors::fromMiddle(const glm::dvec3& place) const
 {

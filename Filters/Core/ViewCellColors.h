@@ -46,12 +46,6 @@ struct ViewCellColors
 ViewCellColors viewCellColors(const ViewTextureSurface& surface, const ViewCoverage& coverage,
   Span<const glm::u8vec4> image, const glm::u8vec4* color = nullptr);
 
-// From sRGB with straight alpha to linear light times alpha, 0 to 1, and back to bytes; the values
-// that go back are clamped.
-glm::vec4 linearOf(const glm::u8vec4& color);
-std::uint8_t srgbByteOf(float linear);
-std::uint8_t byteOf(float share);
-
 // Spreads colours to cells around: ring by ring over edges, each cell the mean of those of its
 // neighbours that have a colour by then. `closed` cells, one flag for each cell of the level, get
 // none. Returns the new ones, ring by ring, ascending in each.

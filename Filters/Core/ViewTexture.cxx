@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewTexture.h"
 
+#include "SrgbColor.h"
 #include "ViewTextureState.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 
 #include "CellBlocks.h"
 #include "Parallel.h"
+#include "SrgbColor.h"
 #include "ViewContributions.h"
 #include "ViewFade.h"
 
@@ -326,7 +327,7 @@ void write(Span<const glm::vec4> colors, glm::u8vec4* bytes)
     const glm::vec4& color = colors[i];
     if (color.a > 0.0f)
     {
-      bytes[i] = { srgbByteOf(color.r), srgbByteOf(color.g), srgbByteOf(color.b), byteOf(color.a) };
+      bytes[i] = srgbOf(color);
     }
   }
 }

@@ -3,6 +3,7 @@
 #include "ViewTextureState.h"
 
 #include "Parallel.h"
+#include "SrgbColor.h"
 #include "ViewTextureBase.h"
 #include "ViewTextureHemispheres.h"
 
@@ -33,8 +34,7 @@ std::vector<glm::u8vec4> bytesOf(const std::vector<glm::vec4>& colors)
     [&](std::int64_t i)
     {
       const glm::vec4& color = colors[static_cast<std::size_t>(i)];
-      bytes[static_cast<std::size_t>(i)] = { srgbByteOf(color.r), srgbByteOf(color.g),
-        srgbByteOf(color.b), byteOf(color.a) };
+      bytes[static_cast<std::size_t>(i)] = srgbOf(color);
     });
   return bytes;
 }

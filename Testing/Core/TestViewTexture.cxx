@@ -4,6 +4,7 @@
 #include "ViewTextureScene.h"
 
 #include "Core/NodePlaces.h"
+#include "Core/SrgbColor.h"
 #include "Core/ViewCellColors.h"
 #include "Core/ViewTexture.h"
 

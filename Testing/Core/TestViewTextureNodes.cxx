@@ -5,6 +5,7 @@
 
 #include "Core/HemisphereTable.h"
 #include "Core/Kernels.h"
+#include "Core/SrgbColor.h"
 #include "Core/SurfaceCharts.h"
 #include "Core/ViewCellColors.h"
 #include "Core/ViewTextureBase.h"

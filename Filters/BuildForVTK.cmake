@@ -24,6 +24,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   ImagingMath
   ImagingSources
   InteractionStyle
+  InteractionWidgets
   IOExodus
   IOExport
   IOGeometry

@@ -69,6 +69,7 @@ find_package(VTK REQUIRED PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH COMPONENTS
   FiltersGeometry
   FiltersSources
   ImagingCore
+  InteractionWidgets
   IOExport
   IOImage
   RenderingCore

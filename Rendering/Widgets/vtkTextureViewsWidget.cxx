@@ -182,8 +182,12 @@ void vtkTextureViewsWidget::EndDrag()
   if (this->Dragging)
   {
     this->Dragging = false;
-    this->ReleaseFocus();
-    this->EndInteraction();
+    // Both may be on their way out, with the interactor first.
+    if (this->Interactor && this->Interactor->GetRenderWindow())
+    {
+      this->ReleaseFocus();
+      this->EndInteraction();
+    }
     this->InvokeEvent(vtkCommand::EndInteractionEvent, nullptr);
   }
 }

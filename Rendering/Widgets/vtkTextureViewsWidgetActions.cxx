@@ -7,6 +7,7 @@
 
 #include "RendererView.h"
 #include "TextureViewShapes.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
@@ -348,7 +349,14 @@ bool vtkTextureViewsWidget::Save()
     return false;
   }
   vtkNew<vtkTextureViewsManifest> manifest;
-  return manifest->Write(this->ManifestFileName.c_str(), this->GetViews());
+  vtkNew<vtkCallbackCommand> silence; // what it says is said here
+  manifest->AddObserver(vtkCommand::ErrorEvent, silence);
+  if (!manifest->Write(this->ManifestFileName.c_str(), this->GetViews()))
+  {
+    vtkErrorMacro(<< "Save: " << manifest->GetError());
+    return false;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

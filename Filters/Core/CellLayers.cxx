@@ -57,7 +57,8 @@ ChartPlace placeInside(const SurfaceCells& cells, ChartPlace from)
   }
   glm::vec3 weights(1.0f - from.place.x - from.place.y, from.place.x, from.place.y);
   weights = glm::max(weights, glm::vec3(0.0f));
-  weights /= weights.x + weights.y + weights.z;
+  const float sum = weights.x + weights.y + weights.z;
+  weights = sum > 0.0f ? weights / sum : glm::vec3(1.0f / 3.0f);
   from.place = glm::vec2(weights.y, weights.z);
   return from;
 }

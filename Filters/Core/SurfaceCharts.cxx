@@ -34,19 +34,6 @@ double areaOfAll(const TriangleMesh& mesh)
   return area;
 }
 
-SurfaceCells joinedTrianglesAsCells(const TriangleMesh& mesh, const SurfaceCellOptions& options)
-{
-  const std::vector<std::int32_t> vertices = joinClosePoints(mesh);
-  std::vector<glm::ivec3> triangles;
-  triangles.reserve(mesh.triangles.size());
-  for (const glm::ivec3& corners : mesh.triangles)
-  {
-    triangles.emplace_back(
-      vertices[indexOf(corners.x)], vertices[indexOf(corners.y)], vertices[indexOf(corners.z)]);
-  }
-  return trianglesAsCells({ mesh.points, triangles, {} }, options);
-}
-
 // Charts of what a mesh was simplified to.
 class ChartMaker
 {
@@ -227,7 +214,8 @@ SurfaceCells surfaceCells(
   detail::checkOptions(options);
   if (mesh.triangles.size() <= static_cast<std::size_t>(options.baseCells))
   {
-    return joinedTrianglesAsCells(mesh, options);
+    const std::vector<glm::ivec3> triangles = joinedTriangles(mesh);
+    return trianglesAsCells({ mesh.points, triangles, {} }, options);
   }
   // Of the time.
   constexpr double collapsing = 0.7;

@@ -53,7 +53,7 @@ public:
 
   BaseMesh run()
   {
-    for (const RingLimits& limits : { strictLimits, looseLimits })
+    for (const RingLimits& limits : { strictLimits, looseLimits, lastLimits })
     {
       this->current = limits;
       for (std::size_t vertex = 0; vertex < this->starAreas.size(); ++vertex)

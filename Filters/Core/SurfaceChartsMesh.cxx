@@ -3,13 +3,9 @@
 #include "SurfaceChartsMesh.h"
 
 #include "ParallelSort.h"
-#include "SurfacePatchesMesh.h"
-
-#include <glm/common.hpp>
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -49,7 +45,7 @@ class CornerMeshMaker
 public:
   explicit CornerMeshMaker(const TriangleMesh& someMesh)
     : mesh(someMesh)
-    , joined(joinClosePoints(someMesh))
+    , joined(joinedTriangles(someMesh))
     , original(someMesh.triangles.size())
   {
     std::iota(this->original.begin(), this->original.end(), std::size_t(0));
@@ -70,13 +66,6 @@ public:
   }
 
 private:
-  glm::ivec3 joinedCorners(std::size_t triangle) const
-  {
-    const glm::ivec3& corners = this->mesh.triangles[triangle];
-    return { this->joined[indexOf(corners.x)], this->joined[indexOf(corners.y)],
-      this->joined[indexOf(corners.z)] };
-  }
-
   // Those that have an area and are the first of their copies.
   void keepTriangles()
   {
@@ -86,15 +75,14 @@ private:
     this->result.vertices.reserve(3 * this->mesh.triangles.size());
     for (std::size_t triangle = 0; triangle < this->mesh.triangles.size(); ++triangle)
     {
-      const glm::ivec3& corners = this->mesh.triangles[triangle];
+      const glm::ivec3& corners = this->joined[triangle];
       if (this->original[triangle] == triangle &&
         !isDegenerateTriangle(this->mesh.points[indexOf(corners.x)],
           this->mesh.points[indexOf(corners.y)], this->mesh.points[indexOf(corners.z)]))
       {
-        const glm::ivec3 vertices = this->joinedCorners(triangle);
         this->kept.push_back(triangle);
         this->result.vertices.insert(
-          this->result.vertices.end(), { vertices.x, vertices.y, vertices.z });
+          this->result.vertices.end(), { corners.x, corners.y, corners.z });
       }
     }
   }
@@ -112,7 +100,7 @@ private:
   {
     const std::vector<std::int32_t>& vertices = this->result.vertices;
     this->result.opposites.assign(vertices.size(), CornerMesh::border);
-    std::vector<std::size_t> first(this->joined.size() + 1, 0);
+    std::vector<std::size_t> first(this->mesh.points.size() + 1, 0);
     const auto endsOf = [&](std::size_t corner)
     {
       const auto number = static_cast<std::int32_t>(corner);
@@ -171,7 +159,7 @@ private:
     keys.reserve(this->kept.size());
     for (const std::size_t triangle : this->kept)
     {
-      const glm::ivec3 vertices = this->joinedCorners(triangle);
+      const glm::ivec3 vertices = this->joined[triangle];
       TriangleKey key = { { vertices.x, vertices.y, vertices.z }, triangle };
       std::sort(key.vertices.begin(), key.vertices.end());
       keys.push_back(key);
@@ -315,6 +303,12 @@ private:
 
   void tellSources()
   {
+    this->result.fine.reserve(this->kept.size());
+    for (std::size_t corner = 0; corner < this->result.vertices.size(); corner += 3)
+    {
+      this->result.fine.emplace_back(this->result.vertices[corner],
+        this->result.vertices[corner + 1], this->result.vertices[corner + 2]);
+    }
     this->result.sources.assign(this->mesh.triangles.size(), glm::ivec3(-1));
     for (std::size_t i = 0; i < this->kept.size(); ++i)
     {
@@ -326,7 +320,7 @@ private:
       const glm::ivec3 vertices = this->result.sources[first];
       for (int corner = 0; first != triangle && corner < 3; ++corner)
       {
-        const glm::ivec3 wanted = this->joinedCorners(triangle);
+        const glm::ivec3 wanted = this->joined[triangle];
         for (int other = 0; other < 3; ++other)
         {
           if (this->result.points[indexOf(vertices[other])] == wanted[corner])
@@ -343,7 +337,7 @@ private:
   {
     glm::ivec3 found(this->result.vertices[corner], this->result.vertices[corner + 1],
       this->result.vertices[corner + 2]);
-    if (this->result.points[indexOf(found.y)] != this->joinedCorners(triangle).y)
+    if (this->result.points[indexOf(found.y)] != this->joined[triangle].y)
     {
       std::swap(found.y, found.z); // it was turned over
     }
@@ -351,7 +345,7 @@ private:
   }
 
   const TriangleMesh& mesh;
-  std::vector<std::int32_t> joined;
+  std::vector<glm::ivec3> joined;    // triangles
   std::vector<std::size_t> original; // of triangles: the first of their copies
   std::vector<std::size_t> kept;     // triangles of the mesh
   CornerMesh result;
@@ -367,39 +361,6 @@ std::int32_t CornerMesh::firstCorner(std::int32_t corner) const
     first = other;
   }
   return this->before(first) < 0 ? first : corner;
-}
-
-std::vector<std::int32_t> joinClosePoints(const TriangleMesh& mesh)
-{
-  glm::dvec3 low(std::numeric_limits<double>::max());
-  glm::dvec3 high(-std::numeric_limits<double>::max());
-  for (const glm::ivec3& corners : mesh.triangles)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      low = glm::min(low, mesh.points[indexOf(corners[corner])]);
-      high = glm::max(high, mesh.points[indexOf(corners[corner])]);
-    }
-  }
-  constexpr double steps = 1e9; // along the longest side of the bounds
-  const glm::dvec3 size = high - low;
-  const double longest = std::max(std::max(size.x, size.y), size.z);
-  const double scale = longest > 0.0 ? steps / longest : 1.0;
-  std::vector<glm::dvec3> rounded(mesh.points.size());
-  std::transform(mesh.points.begin(), mesh.points.end(), rounded.begin(),
-    [&](const glm::dvec3& point) { return glm::round(scale * (point - low)); });
-  std::vector<std::int32_t> joined = joinPoints(rounded);
-  std::vector<std::int32_t> first;
-  first.reserve(joined.size());
-  for (std::size_t point = 0; point < joined.size(); ++point)
-  {
-    if (indexOf(joined[point]) == first.size())
-    {
-      first.push_back(static_cast<std::int32_t>(point));
-    }
-    joined[point] = first[indexOf(joined[point])];
-  }
-  return joined;
 }
 
 CornerMesh makeCornerMesh(const TriangleMesh& mesh)

@@ -31,6 +31,8 @@ struct CornerMesh
   std::vector<std::int32_t> vertices;  // of corners; -1: the triangle is gone
   std::vector<std::int32_t> opposites; // of corners: that across the edge, or border or cut
 
+  // All triangles, oriented alike, as they were at first.
+  std::vector<glm::ivec3> fine;
   // Of the triangles that it was made from: their corners' vertices, as they were given; -1 for
   // degenerate ones. Copies of a triangle share its vertices.
   std::vector<glm::ivec3> sources;
@@ -71,8 +73,9 @@ struct CornerMesh
   std::size_t triangleCount() const { return this->vertices.size() / 3; }
 };
 
-// Of every point the first one in the same place, up to a billionth of the mesh's size.
-std::vector<std::int32_t> joinClosePoints(const TriangleMesh& mesh);
+// The triangles with the first one of all points that are in the same place, up to a billionth of
+// the mesh's size.
+std::vector<glm::ivec3> joinedTriangles(const TriangleMesh& mesh);
 
 CornerMesh makeCornerMesh(const TriangleMesh& mesh);
 

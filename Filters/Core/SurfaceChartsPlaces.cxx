@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceChartsPlaces.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace hachure
@@ -14,64 +17,110 @@ std::size_t indexOf(std::int32_t number)
   return static_cast<std::size_t>(number);
 }
 
-// A base triangle that was reached, and how.
-struct Step
+// The rims between two places on base triangles, by their corners on the side of the first one.
+class RouteFinder
 {
-  std::int32_t triangle;
-  std::int32_t corner; // of the triangle before, opposite to the rim; -1: the start
-  std::size_t before;
+public:
+  RouteFinder(const BaseMesh& aBase, std::int32_t aGoal, const glm::dvec3& someGoalWeights)
+    : base(aBase)
+    , goal(aGoal)
+    , goalWeights(someGoalWeights)
+  {
+  }
+
+  std::optional<glm::dvec3> find(std::int32_t start, const glm::dvec3& weights)
+  {
+    constexpr std::size_t mostForBetter = 4;
+    constexpr std::size_t mostForAny = 8;
+    for (this->mostRims = 1;
+         this->leastMissed > slack && this->mostRims <= (this->found ? mostForBetter : mostForAny);
+         ++this->mostRims)
+    {
+      this->route.clear();
+      this->visit(start, weights);
+    }
+    return this->found;
+  }
+
+private:
+  static constexpr double slack = 1e-6; // of a rim
+
+  // All routes of so many rims.
+  void visit(std::int32_t triangle, const glm::dvec3& weights)
+  {
+    if (triangle == this->goal)
+    {
+      this->judge(weights);
+      return;
+    }
+    if (this->route.size() == this->mostRims)
+    {
+      return;
+    }
+    for (std::int32_t corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+    {
+      const std::int32_t other = this->base.mesh.opposite(corner);
+      if (other >= 0 &&
+        (this->route.empty() || corner != this->base.mesh.opposite(this->route.back())))
+      {
+        this->route.push_back(corner);
+        this->visit(other / 3, weightsBeyond(this->base, weights, corner));
+        this->route.pop_back();
+      }
+    }
+  }
+
+  // Keeps the route if the line misses its rims less than those of others do.
+  void judge(const glm::dvec3& weights)
+  {
+    double missed = 0.0;
+    glm::dvec3 one = weights; // of the start
+    glm::dvec3 other = this->goalWeights;
+    for (std::size_t i = this->route.size(); i-- > 0;)
+    {
+      const std::int32_t rim = this->base.mesh.opposite(this->route[i]);
+      const int edge = rim % 3;
+      const double height = other[edge] - one[edge];
+      const glm::dvec3 crossing =
+        height > 0.0 ? (other[edge] * one - one[edge] * other) / height : one;
+      missed = std::max(missed, -std::min(crossing[(edge + 1) % 3], crossing[(edge + 2) % 3]));
+      one = weightsBeyond(this->base, one, rim);
+      other = weightsBeyond(this->base, other, rim);
+    }
+    if (missed < this->leastMissed)
+    {
+      this->leastMissed = missed;
+      this->found = weights;
+    }
+  }
+
+  const BaseMesh& base;
+  std::int32_t goal;
+  glm::dvec3 goalWeights;
+  std::vector<std::int32_t> route;
+  std::size_t mostRims = 0;
+  double leastMissed = std::numeric_limits<double>::max();
+  std::optional<glm::dvec3> found;
 };
 
-// The rims on the way, by their corners on the side of the start, the last one first; empty: it is
-// too far.
-std::vector<std::int32_t> pathBetween(const CornerMesh& mesh, std::int32_t from, std::int32_t to)
+glm::dvec3 cornerWeights(int corner)
 {
-  constexpr std::size_t mostSteps = 64; // about five rims away
-  std::vector<Step> steps(1, { from, -1, 0 });
-  for (std::size_t step = 0; step < steps.size() && steps.size() < mostSteps; ++step)
-  {
-    const std::int32_t first = 3 * steps[step].triangle;
-    for (std::int32_t corner = first; corner < first + 3; ++corner)
-    {
-      const std::int32_t other = mesh.opposite(corner);
-      if (other >= 0 && other / 3 == to)
-      {
-        std::vector<std::int32_t> path(1, corner);
-        for (std::size_t at = step; steps[at].corner >= 0; at = steps[at].before)
-        {
-          path.push_back(steps[at].corner);
-        }
-        return path;
-      }
-      const bool isNew = other >= 0 &&
-        std::none_of(steps.begin(), steps.end(),
-          [&](const Step& known) { return known.triangle == other / 3; });
-      if (isNew)
-      {
-        steps.push_back({ other / 3, corner, step });
-      }
-    }
-  }
-  return {};
+  glm::dvec3 weights(0.0);
+  weights[corner] = 1.0;
+  return weights;
 }
 
-// The corner of a triangle that another one is opposite to over its only common rim; -1: none.
-std::int32_t cornerTowards(const CornerMesh& mesh, std::int32_t from, std::int32_t to)
+// Which corner of a triangle a vertex is; -1: none.
+int cornerOf(const CornerMesh& mesh, std::int32_t triangle, std::int32_t vertex)
 {
-  std::int32_t found = -1;
-  for (std::int32_t corner = 3 * from; corner < 3 * from + 3; ++corner)
+  for (int corner = 0; corner < 3; ++corner)
   {
-    const std::int32_t other = mesh.opposite(corner);
-    if (other >= 0 && other / 3 == to)
+    if (mesh.vertex(3 * triangle + corner) == vertex)
     {
-      if (found >= 0)
-      {
-        return -1;
-      }
-      found = corner;
+      return corner;
     }
   }
-  return found;
+  return -1;
 }
 
 class TrianglePlacer
@@ -147,28 +196,38 @@ private:
   {
     TrianglePlace found;
     found.triangle = triangle;
-    std::array<bool, 3> isKnown{};
-    glm::vec2 known(1.0f / 3.0f);
+    const glm::dvec3 own = this->ownWeights(triangle, vertices);
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
       const std::optional<glm::dvec3> weights =
-        vertexWeightsIn(this->base, triangle, vertices[static_cast<int>(corner)]);
-      isKnown[corner] = weights.has_value();
-      if (weights)
-      {
-        found.corners[corner] = glm::vec2(weights->y, weights->z);
-        known = found.corners[corner];
-      }
-    }
-    for (std::size_t corner = 0; corner < 3; ++corner)
-    {
-      if (!isKnown[corner])
-      {
-        found.corners[corner] = known;
-        found.isClamped = true;
-      }
+        vertexWeightsIn(this->base, vertices[static_cast<int>(corner)], triangle, own);
+      found.isClamped = found.isClamped || !weights;
+      const glm::dvec3 place = weights.value_or(own);
+      found.corners[corner] = glm::vec2(place.y, place.z);
     }
     return found;
+  }
+
+  // Of the first of three vertices that is in the base triangle.
+  glm::dvec3 ownWeights(std::int32_t triangle, const glm::ivec3& vertices) const
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const VertexHome& home = this->base.homes[indexOf(vertices[corner])];
+      if (home.triangle == triangle)
+      {
+        return { 1.0 - home.weights.x - home.weights.y, home.weights };
+      }
+    }
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const int own = cornerOf(this->base.mesh, triangle, vertices[corner]);
+      if (own >= 0)
+      {
+        return cornerWeights(own);
+      }
+    }
+    return glm::dvec3(1.0 / 3.0);
   }
 
   const BaseMesh& base;
@@ -186,71 +245,42 @@ glm::dvec3 weightsBeyond(const BaseMesh& base, const glm::dvec3& weights, std::i
   return found;
 }
 
-std::optional<glm::dvec3> weightsUnfolded(
-  const BaseMesh& base, const glm::dvec3& weights, std::int32_t from, std::int32_t to)
+std::optional<glm::dvec3> weightsUnfolded(const BaseMesh& base, const glm::dvec3& weights,
+  std::int32_t from, std::int32_t to, const glm::dvec3& seenFrom)
 {
-  if (from == to)
-  {
-    return weights;
-  }
-  const std::int32_t towards = cornerTowards(base.mesh, from, to);
-  if (towards >= 0)
-  {
-    return weightsBeyond(base, weights, towards);
-  }
-  std::vector<std::int32_t> path = pathBetween(base.mesh, std::min(from, to), std::max(from, to));
-  if (path.empty())
-  {
-    return std::nullopt;
-  }
-  if (from > to)
-  {
-    std::transform(path.begin(), path.end(), path.begin(),
-      [&](std::int32_t corner) { return base.mesh.opposite(corner); });
-  }
-  else
-  {
-    std::reverse(path.begin(), path.end());
-  }
-  glm::dvec3 found = weights;
-  for (const std::int32_t corner : path)
-  {
-    found = weightsBeyond(base, found, corner);
-  }
-  return found;
+  return from == to ? weights : RouteFinder(base, to, seenFrom).find(from, weights);
 }
 
 std::optional<glm::dvec3> vertexWeightsIn(
-  const BaseMesh& base, std::int32_t triangle, std::int32_t vertex)
+  const BaseMesh& base, std::int32_t vertex, std::int32_t triangle, const glm::dvec3& seenFrom)
 {
   const VertexHome& home = base.homes[indexOf(vertex)];
   if (home.triangle >= 0)
   {
-    return weightsUnfolded(base, glm::dvec3(1.0 - home.weights.x - home.weights.y, home.weights),
-      home.triangle, triangle);
+    const glm::dvec3 weights(1.0 - home.weights.x - home.weights.y, home.weights);
+    return weightsUnfolded(base, weights, home.triangle, triangle, seenFrom);
   }
-  for (int corner = 0; corner < 3; ++corner)
+  const int own = cornerOf(base.mesh, triangle, vertex);
+  if (own >= 0)
   {
-    if (base.mesh.vertex(3 * triangle + corner) == vertex)
-    {
-      glm::dvec3 weights(0.0);
-      weights[corner] = 1.0;
-      return weights;
-    }
+    return cornerWeights(own);
   }
+  // It is a corner of all triangles around: the nearest one will do.
   VertexRing ring;
   ring.find(base.mesh, vertex);
+  std::optional<glm::dvec3> nearest;
+  double least = std::numeric_limits<double>::max();
   for (const std::int32_t corner : ring.corners)
   {
-    glm::dvec3 weights(0.0);
-    weights[corner % 3] = 1.0;
-    const std::optional<glm::dvec3> found = weightsUnfolded(base, weights, corner / 3, triangle);
-    if (found)
+    const std::optional<glm::dvec3> found =
+      weightsUnfolded(base, cornerWeights(corner % 3), corner / 3, triangle, seenFrom);
+    if (found && glm::length(*found - seenFrom) < least)
     {
-      return found;
+      nearest = found;
+      least = glm::length(*found - seenFrom);
     }
   }
-  return std::nullopt;
+  return nearest;
 }
 
 TrianglePlace placeTriangle(const BaseMesh& base, const glm::ivec3& vertices)

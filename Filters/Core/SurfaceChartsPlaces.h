@@ -16,13 +16,15 @@ namespace hachure
 {
 
 // Internal: places on a base mesh, also of what lies on other triangles of it: coordinates continue
-// over rims as weightsAcross() says, from one triangle to another by as few rims as possible; by
-// the same ones for all and both ways. Empty where it is too far, or over a border.
-std::optional<glm::dvec3> weightsUnfolded(
-  const BaseMesh& base, const glm::dvec3& weights, std::int32_t from, std::int32_t to);
-// Of a vertex of the fine mesh.
+// over rims as weightsAcross() says, here over those that the straight line between two places
+// crosses, which are the same both ways. Empty where it is too far, or over a border.
+//
+// Of a place on the triangle `from`: its weights in the triangle `to`, as seen from a place there.
+std::optional<glm::dvec3> weightsUnfolded(const BaseMesh& base, const glm::dvec3& weights,
+  std::int32_t from, std::int32_t to, const glm::dvec3& seenFrom);
+// Of a vertex of the fine mesh in a triangle.
 std::optional<glm::dvec3> vertexWeightsIn(
-  const BaseMesh& base, std::int32_t triangle, std::int32_t vertex);
+  const BaseMesh& base, std::int32_t vertex, std::int32_t triangle, const glm::dvec3& seenFrom);
 
 // Of a place beyond the edge opposite to a corner: its weights across.
 glm::dvec3 weightsBeyond(const BaseMesh& base, const glm::dvec3& weights, std::int32_t corner);

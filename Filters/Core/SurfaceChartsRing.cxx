@@ -63,12 +63,8 @@ bool FlatRing::lay(const CornerMesh& mesh, std::int32_t vertex, const VertexRing
   this->centre = mesh.position(vertex);
   this->corners.resize(ring.ends.size());
   this->angles.resize(triangles);
-  double radius = 0.0;
-  for (std::size_t end = 0; end < ring.ends.size(); ++end)
-  {
-    this->corners[end] = mesh.position(ring.ends[end]);
-    radius += glm::length(this->corners[end] - this->centre) / static_cast<double>(triangles);
-  }
+  std::transform(ring.ends.begin(), ring.ends.end(), this->corners.begin(),
+    [&](std::int32_t end) { return mesh.position(end); });
   double sum = 0.0;
   for (std::size_t place = 0; place < triangles; ++place)
   {
@@ -77,14 +73,27 @@ bool FlatRing::lay(const CornerMesh& mesh, std::int32_t vertex, const VertexRing
     this->angles[place] = std::atan2(glm::length(glm::cross(one, other)), glm::dot(one, other));
     sum += this->angles[place];
   }
-  if (!(sum > 0.0) || !(radius > 0.0))
+  if (!(sum > 0.0))
   {
     return false;
   }
   this->borderTurn = this->isClosed ? 0.0 : std::abs(sum - pi);
   const double scale = (this->isClosed ? 2.0 * pi : pi) / sum;
+  this->flatten(scale);
+  this->rate();
+  constexpr double mostAngle = 0.95 * pi; // of a triangle; with more it would be turned over
+  return scale * *std::max_element(this->angles.begin(), this->angles.end()) < mostAngle;
+}
+
+void FlatRing::flatten(double scale)
+{
   constexpr double mostPower = 3.0; // of distances
   const double power = std::min(scale, mostPower);
+  double radius = 0.0;
+  for (const glm::dvec3& corner : this->corners)
+  {
+    radius += glm::length(corner - this->centre) / static_cast<double>(this->corners.size());
+  }
   double angle = 0.0;
   this->places.resize(this->corners.size());
   for (std::size_t end = 0; end < this->corners.size(); ++end)
@@ -92,11 +101,15 @@ bool FlatRing::lay(const CornerMesh& mesh, std::int32_t vertex, const VertexRing
     const double distance =
       std::pow(glm::length(this->corners[end] - this->centre) / radius, power);
     this->places[end] = distance * glm::dvec2(std::cos(angle), std::sin(angle));
-    angle += end < triangles ? scale * this->angles[end] : 0.0;
+    angle += end < this->angles.size() ? scale * this->angles[end] : 0.0;
   }
+}
+
+void FlatRing::rate()
+{
   this->worstNow = 1.0;
   this->worstFlat = 1.0;
-  for (std::size_t place = 0; place < triangles; ++place)
+  for (std::size_t place = 0; place < this->angles.size(); ++place)
   {
     const std::size_t next = (place + 1) % this->corners.size();
     this->worstNow =
@@ -104,8 +117,6 @@ bool FlatRing::lay(const CornerMesh& mesh, std::int32_t vertex, const VertexRing
     this->worstFlat = std::min(
       this->worstFlat, flatQualityOf(glm::dvec2(0.0), this->places[place], this->places[next]));
   }
-  constexpr double mostAngle = 0.95 * pi; // of a triangle; with more it would be turned over
-  return scale * *std::max_element(this->angles.begin(), this->angles.end()) < mostAngle;
 }
 
 template <class Visit>

@@ -25,10 +25,12 @@ struct RingLimits
   int ends;           // neighbours that the other vertex may get, where it gets more
 };
 
-// First what keeps the surface's shape, then what is possible. Skewed triangles would be no
+// First what keeps the surface's shape, then what keeps the corners of its borders, then what is
+// possible. Skewed triangles would be no
 // obstacle to the map, but over their rims small triangles of the mesh would be turned over.
-constexpr RingLimits strictLimits = { 0.3, 0.3, 0.4, 0.7, 8 };
-constexpr RingLimits looseLimits = { -0.2, 0.1, 0.3, 4.0, 9 };
+constexpr RingLimits strictLimits = { 0.3, 0.3, 0.35, 0.7, 8 };
+constexpr RingLimits looseLimits = { -1.0, 0.1, 0.2, 1.3, 9 };
+constexpr RingLimits lastLimits = { -1.0, 0.1, 0.2, 4.0, 9 };
 
 // A new triangle, in the place of an old one.
 struct FlatTriangle
@@ -66,6 +68,8 @@ public:
   }
 
 private:
+  void flatten(double scale); // of angles
+  void rate();                // the triangles as they are
   // Of the triangles that stay: place in the ring and the place after it.
   template <class Visit>
   void visitFan(int target, Visit&& visit) const;

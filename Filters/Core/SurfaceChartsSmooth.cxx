@@ -58,10 +58,10 @@ public:
     : base(aBase)
     , first(aBase.mesh.positions.size() + 1, 0)
   {
-    const std::vector<glm::ivec3>& triangles = this->base.mesh.sources;
+    const std::vector<glm::ivec3>& triangles = this->base.mesh.fine;
     for (const glm::ivec3& triangle : triangles)
     {
-      for (int corner = 0; triangle.x >= 0 && corner < 3; ++corner)
+      for (int corner = 0; corner < 3; ++corner)
       {
         ++this->first[indexOf(triangle[corner]) + 1];
       }
@@ -71,7 +71,7 @@ public:
     std::vector<std::size_t> slots = this->first;
     for (const glm::ivec3& triangle : triangles)
     {
-      for (int corner = 0; triangle.x >= 0 && corner < 3; ++corner)
+      for (int corner = 0; corner < 3; ++corner)
       {
         this->wedges[slots[indexOf(triangle[corner])]++] =
           wedgeOf(this->base.mesh, triangle, corner);
@@ -107,17 +107,31 @@ private:
     double inverse; // of the area in space
   };
 
+  // How the triangles around a vertex would lie.
+  struct Fit
+  {
+    int flipped = 0;
+    double worst = std::numeric_limits<double>::max(); // area in the plane against that in space
+
+    bool operator<(const Fit& other) const
+    {
+      return this->flipped != other.flipped ? this->flipped > other.flipped
+                                            : this->worst < other.worst;
+    }
+  };
+
   void move(std::size_t vertex)
   {
     const VertexHome home = this->base.homes[vertex];
+    const glm::dvec3 own(1.0 - home.weights.x - home.weights.y, home.weights);
     this->sides.clear();
     glm::dvec2 sum(0.0);
     double weights = 0.0;
     for (std::size_t i = this->first[vertex]; i < this->first[vertex + 1]; ++i)
     {
       const Wedge& wedge = this->wedges[i];
-      const auto next = vertexWeightsIn(this->base, home.triangle, wedge.next);
-      const auto last = vertexWeightsIn(this->base, home.triangle, wedge.last);
+      const auto next = vertexWeightsIn(this->base, wedge.next, home.triangle, own);
+      const auto last = vertexWeightsIn(this->base, wedge.last, home.triangle, own);
       if (!next || !last)
       {
         return;
@@ -130,29 +144,54 @@ private:
       sum += nextWeight * side.next + lastWeight * side.last;
       weights += nextWeight + lastWeight;
     }
-    const glm::dvec2 mean = sum / weights;
-    const double now = this->worst(home.weights);
-    const double then = this->worst(mean);
+    glm::dvec2 mean = sum / weights;
+    const Fit now = this->fitAt(home.weights);
+    Fit then = this->fitAt(mean);
+    if (now.flipped > 0 && then.flipped > 0)
+    {
+      this->improve(mean, then);
+    }
     // Against the mean over the base triangle, whose area in the plane is 1/2.
     constexpr double goodEnough = 0.4;
     const double enough = goodEnough * 0.5 / this->base.areas[indexOf(home.triangle)];
-    if (std::isfinite(mean.x + mean.y) && (then > now || then > enough))
+    if (std::isfinite(mean.x + mean.y) && (now < then || then.worst > enough))
     {
       this->settle(vertex, home.triangle, glm::dvec3(1.0 - mean.x - mean.y, mean));
     }
   }
 
-  // Area in the plane of the smallest triangle, against that in space.
-  double worst(const glm::dvec2& place) const
+  // A better place between the mean and the neighbours, while triangles are turned over.
+  void improve(glm::dvec2& place, Fit& fit) const
   {
-    double least = std::numeric_limits<double>::max();
+    constexpr double steps[] = { 0.25, 0.5, 0.75, 0.9 };
+    const glm::dvec2 mean = place;
+    for (const Side& side : this->sides)
+    {
+      for (const double step : steps)
+      {
+        const glm::dvec2 tried = mean + step * (side.next - mean);
+        const Fit found = this->fitAt(tried);
+        if (fit < found)
+        {
+          place = tried;
+          fit = found;
+        }
+      }
+    }
+  }
+
+  Fit fitAt(const glm::dvec2& place) const
+  {
+    Fit fit;
     for (const Side& side : this->sides)
     {
       const glm::dvec2 one = side.next - place;
       const glm::dvec2 other = side.last - place;
-      least = std::min(least, (one.x * other.y - one.y * other.x) * side.inverse);
+      const double ratio = (one.x * other.y - one.y * other.x) * side.inverse;
+      fit.flipped += ratio > 0.0 ? 0 : 1;
+      fit.worst = std::min(fit.worst, ratio);
     }
-    return least;
+    return fit;
   }
 
   // Over rims as far as it takes; at a border on it.

@@ -3,6 +3,7 @@
 #include "SurfaceFrames.h"
 
 #include "Parallel.h"
+#include "SurfaceChartsMesh.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -336,22 +337,24 @@ SurfaceFrames surfaceFrames(
     throw std::invalid_argument(
       "featureAngle is " + std::to_string(featureAngle) + "; expected 0 to pi");
   }
+  const std::vector<glm::ivec3> triangles = joinedTriangles(mesh);
+  const TriangleMesh joined = { mesh.points, triangles, {} };
   const CornerLists around(mesh.triangles.size(), mesh.points.size(),
     [&](std::size_t corner)
-    { return cells.chartOfTriangle[corner / 3] < 0 ? -1 : pointAt(mesh, corner); });
+    { return cells.chartOfTriangle[corner / 3] < 0 ? -1 : pointAt(joined, corner); });
   std::vector<char> isDown;
   isDown.reserve(mesh.points.size());
   SurfaceFrames frames =
-    numberFrames(mesh, cells, around, smoothCorners(mesh, around, featureAngle), isDown);
+    numberFrames(joined, cells, around, smoothCorners(joined, around, featureAngle), isDown);
   const CornerLists sheets = sheetCorners(frames);
-  const std::vector<glm::dvec3> normals = sheetNormals(mesh, sheets);
+  const std::vector<glm::dvec3> normals = sheetNormals(joined, sheets);
   frames.turns.resize(frames.points.size());
   for (std::size_t frame = 0; frame < frames.turns.size(); ++frame)
   {
     const std::size_t sheet = indexOf(frames.sheets[frame]);
     const glm::dvec3 normal = normals[sheet] != glm::dvec3(0.0)
       ? normals[sheet]
-      : unitNormal(mesh, sheets.of(sheet)[0] / 3);
+      : unitNormal(joined, sheets.of(sheet)[0] / 3);
     frames.turns[frame] = frameOf(normal, isDown[frame] != 0);
   }
   return frames;

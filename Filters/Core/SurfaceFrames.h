@@ -35,8 +35,9 @@ constexpr double defaultFeatureAngle = 0.5235987755982988; // radians: 30 degree
 
 // The normal is the mean of the triangles around a point by their angles there, but only of those
 // that hang together with the frame's triangle over edges that turn by less than the feature angle
-// (radians, 0 to pi). Throws std::invalid_argument for a wrong mesh, an angle that is not in its
-// range, and cells of another number of triangles.
+// (radians, 0 to pi). Points in one place are one: the first of them stands for all. Throws
+// std::invalid_argument for a wrong mesh, an angle that is not in its range, and cells of another
+// number of triangles.
 SurfaceFrames surfaceFrames(
   const TriangleMesh& mesh, const SurfaceCells& cells, double featureAngle = defaultFeatureAngle);
 

@@ -278,7 +278,7 @@ double Drawing::resolveRow(int row)
       weights[corner] = std::max(drawn.weight(corner, column + 0.5, row + 0.5), 0.0);
     }
     const double sum = weights.x + weights.y + weights.z; // 1 / w
-    weights = sum > 0.0 ? weights / sum : glm::dvec3(1.0, 0.0, 0.0);
+    weights = sum > 0.0 && std::isfinite(sum) ? weights / sum : glm::dvec3(1.0, 0.0, 0.0);
     this->raster.weights[pixel] = glm::vec2(weights.y, weights.z);
     // From weights to pixels the area changes by det / w^3.
     const double perPixel = 2.0 * area / (sum * sum * sum * std::abs(drawn.determinant));

@@ -23,7 +23,7 @@ struct SurfaceRaster
   std::vector<std::int32_t> triangles; // -1: nothing
   std::vector<glm::vec2> weights;      // of the triangle's second and third corner
   std::int64_t pixels = 0;             // that show anything
-  double area = 0.0;                   // of the surface that they show, without what is almost edge-on
+  double area = 0.0; // of the surface that they show, without what is almost edge-on
 };
 
 // Draws the surface with a matrix to OpenGL's clip space. What is behind the eye (w <= 0) is not

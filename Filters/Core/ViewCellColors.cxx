@@ -102,6 +102,7 @@ std::vector<std::int32_t> openAround(const CellLayer& layer, Span<const std::int
 {
   std::vector<std::int32_t> open;
   std::vector<std::int32_t> neighbours;
+  open.reserve(cells.size());
   for (const std::int32_t cell : cells)
   {
     neighbours.clear();
@@ -111,7 +112,7 @@ std::vector<std::int32_t> openAround(const CellLayer& layer, Span<const std::int
       const auto index = static_cast<std::size_t>(other);
       if (closed[index] == 0 && numbers[index] < 0)
       {
-        open.push_back(other); // NOLINT(performance-inefficient-vector-operation)
+        open.push_back(other);
       }
     }
   }
@@ -137,7 +138,8 @@ std::uint8_t srgbByteOf(float linear)
 
 std::uint8_t byteOf(float share)
 {
-  return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f);
+  const float rounded = std::clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f;
+  return static_cast<std::uint8_t>(rounded);
 }
 
 float ViewCellColors::fromMiddle(const glm::dvec3& place) const
@@ -191,6 +193,7 @@ CellColors spreadColors(const CellLayer& layer, const CellColors& from,
       Span<const std::int32_t>(all.cells).subspan(begin, all.cells.size() - begin), closed,
       numbers);
     begin = all.cells.size();
+    all.colors.reserve(begin + open.size());
     for (const std::int32_t cell : open)
     {
       neighbours.clear();

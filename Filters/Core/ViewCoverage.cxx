@@ -20,6 +20,10 @@ double depthOf(const SurfaceRaster& raster, const SurfaceCells& cells)
   constexpr double pixelsInOne = 4.0; // of the raster in the image's
   const double pixels = static_cast<double>(raster.pixels) / pixelsInOne;
   const double ofCell = pixels * cells.cellArea / std::max(raster.area, 1e-300);
+  if (!std::isfinite(ofCell)) // sizes beyond numbers
+  {
+    return 0.0;
+  }
   const double depth = 0.5 * std::log2(std::clamp(ofCell, 1e-12, 1e30));
   return std::clamp(depth, 0.0, static_cast<double>(cells.finestLevel));
 }
@@ -39,114 +43,99 @@ std::vector<ViewCoverage::Level> levelsOf(double depth)
   return levels;
 }
 
-// Where the pixels of a raster lie on the charts.
-std::vector<ChartPlace> placesOf(const SurfaceRaster& raster, const SurfaceCells& cells)
+// Where a pixel of a raster lies on the charts.
+ChartPlace placeOf(const SurfaceRaster& raster, const SurfaceCells& cells, std::size_t pixel)
 {
-  std::vector<ChartPlace> places(raster.triangles.size());
-  parallelFor(static_cast<std::int64_t>(places.size()),
-    [&](std::int64_t i)
-    {
-      const auto pixel = static_cast<std::size_t>(i);
-      if (raster.triangles[pixel] < 0)
-      {
-        return;
-      }
-      const auto triangle = static_cast<std::size_t>(raster.triangles[pixel]);
-      const std::array<glm::vec2, 3>& corners = cells.places[triangle];
-      const glm::vec2& weights = raster.weights[pixel];
-      places[pixel] = placeInside(cells,
-        { cells.chartOfTriangle[triangle],
-          (1.0f - weights.x - weights.y) * corners[0] + weights.x * corners[1] +
-            weights.y * corners[2] });
-    });
-  return places;
+  const auto triangle = static_cast<std::size_t>(raster.triangles[pixel]);
+  const std::array<glm::vec2, 3>& corners = cells.places[triangle];
+  const glm::vec2& weights = raster.weights[pixel];
+  return placeInside(cells,
+    { cells.chartOfTriangle[triangle],
+      (1.0f - weights.x - weights.y) * corners[0] + weights.x * corners[1] +
+        weights.y * corners[2] });
 }
 
-// The cells in the quarters of a pixel, each once, with how often they are there.
-struct Quarters
-{
-  std::array<std::int32_t, 4> cells{};
-  std::array<std::uint32_t, 4> times{};
-  std::size_t count = 0;
+// The cells in the quarters of a pixel; -1: none.
+using Quarters = std::array<std::int32_t, 4>;
 
-  void add(std::int32_t cell)
-  {
-    std::size_t i = 0;
-    while (i < this->count && this->cells[i] != cell)
-    {
-      ++i;
-    }
-    if (i == this->count)
-    {
-      this->cells[this->count++] = cell;
-      this->times[i] = 0;
-    }
-    ++this->times[i];
-  }
-};
-
-Quarters quartersOf(Span<const ChartPlace> places, const CellLayer& layer, std::size_t width,
-  std::size_t column, std::size_t row)
+Quarters quartersOf(const SurfaceRaster& raster, const CellLayer& layer, std::size_t pixel)
 {
-  Quarters quarters;
+  const std::size_t rasterWidth = static_cast<std::size_t>(raster.width);
+  const std::size_t column = pixel % (rasterWidth / 2);
+  const std::size_t row = pixel / (rasterWidth / 2);
+  Quarters quarters{};
   for (std::size_t quarter = 0; quarter < 4; ++quarter)
   {
-    const ChartPlace& place =
-      places[(2 * row + quarter / 2) * 2 * width + 2 * column + quarter % 2];
-    if (place.chart >= 0)
-    {
-      quarters.add(layer.cellAt(place));
-    }
+    const std::size_t part = (2 * row + quarter / 2) * rasterWidth + 2 * column + quarter % 2;
+    quarters[quarter] =
+      raster.triangles[part] < 0 ? -1 : layer.cellAt(placeOf(raster, layer.surface(), part));
   }
   return quarters;
 }
 
-// Counts, then fills.
-void listPixels(Span<const ChartPlace> places, const CellLayer& layer, const TextureView& view,
-  ViewCoverage::Level& level)
+// Calls body(cell, times) for each cell once.
+template <class Body>
+void forCells(const Quarters& quarters, Body&& body)
 {
-  const auto width = static_cast<std::size_t>(view.width);
-  const std::size_t pixels = width * static_cast<std::size_t>(view.height);
-  std::vector<Quarters> all(pixels);
-  parallelFor(static_cast<std::int64_t>(pixels),
-    [&](std::int64_t i)
-    {
-      const auto pixel = static_cast<std::size_t>(i);
-      all[pixel] = quartersOf(places, layer, width, pixel % width, pixel / width);
-    });
-  std::vector<std::uint32_t> place(static_cast<std::size_t>(layer.size()), 0);
-  for (const Quarters& quarters : all)
+  for (std::size_t i = 0; i < quarters.size(); ++i)
   {
-    for (std::size_t i = 0; i < quarters.count; ++i)
+    const auto* const here = quarters.begin() + i;
+    if (*here >= 0 && std::find(quarters.begin(), here, *here) == here)
     {
-      ++place[static_cast<std::size_t>(quarters.cells[i])];
+      body(static_cast<std::size_t>(*here),
+        static_cast<std::uint32_t>(std::count(here, quarters.end(), *here)));
     }
   }
+}
+
+// Where the pixels of each cell begin, from how many there are.
+void beginLists(std::vector<std::uint32_t>& counts, ViewCoverage::Level& level)
+{
+  level.cells.reserve(counts.size());
+  level.first.reserve(counts.size() + 1);
   std::uint32_t end = 0;
-  for (std::size_t cell = 0; cell < place.size(); ++cell)
+  for (std::size_t cell = 0; cell < counts.size(); ++cell)
   {
-    const std::uint32_t count = place[cell];
-    place[cell] = end;
+    const std::uint32_t count = counts[cell];
+    counts[cell] = end;
     if (count > 0)
     {
-      level.cells.push_back(static_cast<std::int32_t>(cell)); // NOLINT: few of them
-      level.first.push_back(end);                             // NOLINT
+      level.cells.push_back(static_cast<std::int32_t>(cell));
+      level.first.push_back(end);
     }
     end += count;
   }
   level.first.push_back(end);
   level.pixels.resize(end);
-  for (std::size_t pixel = 0; pixel < pixels; ++pixel)
-  {
-    const Quarters& quarters = all[pixel];
-    for (std::size_t i = 0; i < quarters.count; ++i)
+}
+
+void listPixels(const SurfaceRaster& raster, const CellLayer& layer, ViewCoverage::Level& level)
+{
+  std::vector<Quarters> all(raster.triangles.size() / 4);
+  parallelFor(static_cast<std::int64_t>(all.size()),
+    [&](std::int64_t i)
     {
-      CoveredPixel& covered = level.pixels[place[static_cast<std::size_t>(quarters.cells[i])]++];
-      covered.pixel = static_cast<std::uint32_t>(pixel) & ((1u << 30) - 1u);
-      covered.quartersLessOne = (quarters.times[i] - 1u) & 3u;
-    }
+      const auto pixel = static_cast<std::size_t>(i);
+      all[pixel] = quartersOf(raster, layer, pixel);
+    });
+  std::vector<std::uint32_t> place(static_cast<std::size_t>(layer.size()), 0);
+  for (const Quarters& quarters : all)
+  {
+    forCells(quarters, [&](std::size_t cell, std::uint32_t) { ++place[cell]; });
+  }
+  beginLists(place, level);
+  for (std::size_t pixel = 0; pixel < all.size(); ++pixel)
+  {
+    forCells(all[pixel],
+      [&](std::size_t cell, std::uint32_t times)
+      {
+        CoveredPixel& covered = level.pixels[place[cell]++];
+        covered.pixel = static_cast<std::uint32_t>(pixel) & ((1u << 30) - 1u);
+        covered.quartersLessOne = (times - 1u) & 3u;
+      });
   }
 }
+
 // Of a cell without a pixel the neighbours that have some, by their number in the lists: where
 // there are two it lies between pixels of the raster, else beyond what is seen.
 std::vector<std::int32_t> seenAround(
@@ -221,11 +210,10 @@ ViewCoverage viewCoverage(
   }
   coverage.depth = depthOf(raster, cells);
   coverage.levels = levelsOf(coverage.depth);
-  const std::vector<ChartPlace> places = placesOf(raster, cells);
   for (ViewCoverage::Level& level : coverage.levels)
   {
     const CellLayer& layer = layers[static_cast<std::size_t>(level.number)];
-    listPixels(places, layer, view, level);
+    listPixels(raster, layer, level);
     closeGaps(layer, level);
   }
   return coverage;

@@ -5,6 +5,7 @@
 #include "Parallel.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hachure
 {
@@ -36,13 +37,19 @@ int finestOf(Span<const ViewCellColors* const> views)
   return finest;
 }
 
-BaseLevel mixViews(const CellLayer& layer, Span<const ViewCellColors* const> views)
+// endedOnly: of views that have no finer level.
+BaseLevel mixViews(
+  const CellLayer& layer, Span<const ViewCellColors* const> views, bool endedOnly = false)
 {
   BaseLevel mixed;
   mixed.colors.assign(static_cast<std::size_t>(layer.size()), glm::vec4(0.0f));
   mixed.known.assign(mixed.colors.size(), 0);
   for (const ViewCellColors* view : views)
   {
+    if (endedOnly && finestOf({ &view, 1 }) != layer.number())
+    {
+      continue;
+    }
     for (const ViewCellColors::Level& level : view->levels)
     {
       const CellColors& seen = level.seen;
@@ -64,12 +71,14 @@ BaseLevel mixViews(const CellLayer& layer, Span<const ViewCellColors* const> vie
 void spread(const CellLayer& layer, int rings, BaseLevel& level)
 {
   CellColors seen;
+  seen.cells.reserve(level.known.size());
+  seen.colors.reserve(level.known.size());
   for (std::int32_t cell = 0; cell < layer.size(); ++cell)
   {
     if (level.known[static_cast<std::size_t>(cell)] != 0)
     {
-      seen.cells.push_back(cell);                                          // NOLINT
-      seen.colors.push_back(level.colors[static_cast<std::size_t>(cell)]); // NOLINT
+      seen.cells.push_back(cell);
+      seen.colors.push_back(level.colors[static_cast<std::size_t>(cell)]);
     }
   }
   const CellColors found = spreadColors(layer, seen, level.known, rings);
@@ -102,7 +111,11 @@ void filterDown(
     });
 }
 
-void fillUp(const ViewTextureSurface& surface, int number, const BaseLevel& below, BaseLevel& level)
+// Cells of which nothing is known take all that is below, such of which masks have left nothing
+// only what views say that have ended there: else marks would be blurred by their own coarser
+// level.
+void fillUp(const ViewTextureSurface& surface, int number, const BaseLevel& below,
+  const BaseLevel& endedBelow, BaseLevel& level)
 {
   constexpr std::int64_t grain = 512;
   parallelForRanges(static_cast<std::int64_t>(level.colors.size()), grain,
@@ -112,15 +125,16 @@ void fillUp(const ViewTextureSurface& surface, int number, const BaseLevel& belo
       for (std::int64_t i = begin; i < end; ++i)
       {
         const auto cell = static_cast<std::size_t>(i);
-        if (level.known[cell] != 0)
+        if (level.colors[cell].a > 0.0f)
         {
           continue;
         }
+        const BaseLevel& from = level.known[cell] != 0 ? endedBelow : below;
         surface.mixFromBelow(number, static_cast<std::int32_t>(i), shares);
         glm::vec4 sum(0.0f);
         for (const NodeCells::Share& share : shares)
         {
-          sum += share.weight * below.colors[static_cast<std::size_t>(share.cell)];
+          sum += share.weight * from.colors[static_cast<std::size_t>(share.cell)];
         }
         level.colors[cell] = wholeOf(sum);
       }
@@ -179,11 +193,18 @@ std::vector<glm::vec4> viewTextureBase(const ViewTextureSurface& surface,
     }
   }
   std::vector<glm::vec4> nodes(static_cast<std::size_t>(surface.nodeCount()));
+  BaseLevel endedBelow;
   for (int number = 0; number < count; ++number)
   {
-    if (propagateUp && number > 0)
+    if (propagateUp)
     {
-      fillUp(surface, number, levelAt(number - 1), levelAt(number));
+      BaseLevel ended = mixViews(surface.layer(number), views, true);
+      if (number > 0)
+      {
+        fillUp(surface, number, levelAt(number - 1), endedBelow, levelAt(number));
+        fillUp(surface, number, endedBelow, endedBelow, ended);
+      }
+      endedBelow = std::move(ended);
     }
     mixNodes(surface, number, levelAt(number), nodes);
     if (progress && !progress(0.5 + 0.5 * (number + 1) / count))

@@ -23,7 +23,7 @@ namespace hachure
 // sees take the mean of neighbours, see spreadRings(); a cell that is seen where the mask is 0 has
 // no colour, and takes none from neighbours. Then what has no colour takes the mean of those of the
 // next finer level, and last, if propagateUp, cells without any take the mixture of the level
-// below, if no view has seen a part of them at their or a finer level.
+// below; where masks have left nothing only of views that have no finer level themselves.
 //
 // Empty if the progress function stopped the work.
 std::vector<glm::vec4> viewTextureBase(const ViewTextureSurface& surface,

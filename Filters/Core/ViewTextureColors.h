@@ -22,12 +22,19 @@ struct ViewTextureColors
 {
   int hemisphere = 8; // directions a side
   HemisphereMap map = HemisphereMap::Octahedral;
-  // One a node: what is seen from everywhere. sRGB; alpha: 255, 0 where nothing is known.
+  // One a node: what is seen from everywhere. sRGB; alpha: how much of it is known, 255: all.
   std::vector<glm::u8vec4> independent;
   // hemisphere * hemisphere a node, row by row: what is seen from there. Linear colours times the
   // share, then sRGB; alpha: the share, which hides what is independent.
   std::vector<glm::u8vec4> dependent;
 };
+
+// What nobody knows becomes grey.
+void paintUnknown(ViewTextureColors& colors);
+
+// What is seen from everywhere, which is all known, is put below what is seen from somewhere, which
+// then hides everything, and is gone: a picture needs half as many colours.
+void paintBelow(ViewTextureColors& colors);
 
 } // namespace hachure
 

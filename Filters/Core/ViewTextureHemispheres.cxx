@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewTextureHemispheres.h"
 
+#include "CellBlocks.h"
 #include "Parallel.h"
+#include "ViewContributions.h"
 #include "ViewFade.h"
 
 #include <algorithm>
@@ -12,73 +14,17 @@ namespace hachure
 {
 namespace
 {
-// Blocks of a table's size for some cells.
-template <class T>
-class Blocks
-{
-public:
-  Blocks(std::int32_t cells, std::size_t blockSize)
-    : places(static_cast<std::size_t>(cells), -1)
-    , size(blockSize)
-  {
-  }
-  bool has(std::int32_t cell) const { return this->places[static_cast<std::size_t>(cell)] >= 0; }
-  T* of(std::int32_t cell)
-  {
-    const std::int64_t place = this->places[static_cast<std::size_t>(cell)];
-    return place < 0 ? nullptr : &this->values[static_cast<std::size_t>(place) * this->size];
-  }
-  const T* of(std::int32_t cell) const { return const_cast<Blocks*>(this)->of(cell); }
-  // Gives those cells that have none a block of zeros.
-  void add(const std::vector<std::int32_t>& cells)
-  {
-    auto count = static_cast<std::int32_t>(this->values.size() / this->size);
-    for (const std::int32_t cell : cells)
-    {
-      if (!this->has(cell))
-      {
-        this->places[static_cast<std::size_t>(cell)] = count++;
-      }
-    }
-    this->values.resize(static_cast<std::size_t>(count) * this->size, T(0));
-  }
-
-private:
-  std::vector<std::int32_t> places;
-  std::vector<T> values;
-  std::size_t size;
-};
-
 struct HemisphereLevel
 {
-  Blocks<glm::vec4> colors; // times their share, and the share
+  CellBlocks<glm::vec4> colors; // times their share, and the share
   // Of directions: whether a view is to be seen there, whatever its mask. Empty blocks: nothing.
-  Blocks<std::uint8_t> known;
+  CellBlocks<std::uint8_t> known;
 };
 
-// What views say of a cell.
-struct Contribution
-{
-  std::int32_t view;
-  glm::vec4 color;
-};
-struct Contributions
-{
-  std::vector<std::int32_t> first; // of every cell, and the number of all
-  std::vector<Contribution> all;
-
-  Span<const Contribution> of(std::int32_t cell) const
-  {
-    const auto begin = static_cast<std::size_t>(this->first[static_cast<std::size_t>(cell)]);
-    const auto end = static_cast<std::size_t>(this->first[static_cast<std::size_t>(cell) + 1]);
-    return Span<const Contribution>(this->all).subspan(begin, end - begin);
-  }
-};
-
-bool hasColor(Span<const Contribution> contributions)
+bool hasColor(Span<const ViewContribution> contributions)
 {
   return std::any_of(contributions.begin(), contributions.end(),
-    [](const Contribution& contribution) { return contribution.color.a > 0.0f; });
+    [](const ViewContribution& contribution) { return contribution.color.a > 0.0f; });
 }
 
 struct Scratch
@@ -117,11 +63,9 @@ private:
   {
     return this->levels[static_cast<std::size_t>(number)];
   }
-  Contributions contributionsAt(int number) const;
-  std::vector<CellColors> spreadAt(int number) const;
-  void openBlocks(int number, const Contributions& contributions);
+  void openBlocks(int number, const ViewContributions& contributions);
   void mixViews(
-    int number, std::int32_t cell, Span<const Contribution> contributions, Scratch& scratch);
+    int number, std::int32_t cell, Span<const ViewContribution> contributions, Scratch& scratch);
   void filterDown(int number, std::int32_t cell, Scratch& scratch);
   std::vector<std::int32_t> cellsToFill(int number) const;
   void mixFromBelow(int number, std::int32_t cell, Scratch& scratch);
@@ -178,18 +122,6 @@ void Builder::forCells(std::int64_t count, Body&& body) const
     });
 }
 
-const ViewCellColors::Level* levelOf(const ViewCellColors& colors, int number)
-{
-  for (const ViewCellColors::Level& level : colors.levels)
-  {
-    if (level.number == number)
-    {
-      return &level;
-    }
-  }
-  return nullptr;
-}
-
 float Builder::depthShare(std::int32_t view, int number) const
 {
   const ViewCellColors::Level* level =
@@ -197,77 +129,17 @@ float Builder::depthShare(std::int32_t view, int number) const
   return level != nullptr ? level->share : 0.0f;
 }
 
-// Of every view the colours around what it sees, where no view sees anything.
-std::vector<CellColors> Builder::spreadAt(int number) const
-{
-  const CellLayer& layer = this->surface.layer(number);
-  std::vector<std::uint8_t> closed(static_cast<std::size_t>(layer.size()), 0);
-  for (const DependentView& view : this->views)
-  {
-    const ViewCellColors::Level* level = levelOf(*view.colors, number);
-    for (std::size_t i = 0; level != nullptr && i < level->seen.cells.size(); ++i)
-    {
-      closed[static_cast<std::size_t>(level->seen.cells[i])] = 1;
-    }
-  }
-  std::vector<CellColors> spread(this->views.size());
-  const int rings = spreadRings(number, this->finest);
-  parallelForRanges(static_cast<std::int64_t>(this->views.size()), 1,
-    [&](std::int64_t view, std::int64_t)
-    {
-      const auto index = static_cast<std::size_t>(view);
-      const ViewCellColors::Level* level = levelOf(*this->views[index].colors, number);
-      if (level != nullptr)
-      {
-        spread[index] = spreadColors(layer, level->seen, closed, rings);
-      }
-    });
-  return spread;
-}
-
-Contributions Builder::contributionsAt(int number) const
-{
-  const std::vector<CellColors> spread = this->spreadAt(number);
-  Contributions found;
-  found.first.assign(static_cast<std::size_t>(this->surface.layer(number).size()) + 1, 0);
-  const auto forAll = [&](auto&& body)
-  {
-    for (std::size_t view = 0; view < this->views.size(); ++view)
-    {
-      const ViewCellColors::Level* level = levelOf(*this->views[view].colors, number);
-      for (const CellColors* colors : { level != nullptr ? &level->seen : nullptr, &spread[view] })
-      {
-        for (std::size_t i = 0; colors != nullptr && i < colors->cells.size(); ++i)
-        {
-          body(static_cast<std::size_t>(colors->cells[i]), static_cast<std::int32_t>(view),
-            colors->colors[i]);
-        }
-      }
-    }
-  };
-  forAll([&](std::size_t cell, std::int32_t, const glm::vec4&) { ++found.first[cell + 1]; });
-  for (std::size_t cell = 1; cell < found.first.size(); ++cell)
-  {
-    found.first[cell] += found.first[cell - 1];
-  }
-  found.all.resize(static_cast<std::size_t>(found.first.back()));
-  std::vector<std::int32_t> next(found.first.begin(), found.first.end());
-  forAll(
-    [&](std::size_t cell, std::int32_t view, const glm::vec4& color) {
-      found.all[static_cast<std::size_t>(next[cell]++)] = { view, color };
-    });
-  return found;
-}
-
-void Builder::openBlocks(int number, const Contributions& contributions)
+void Builder::openBlocks(int number, const ViewContributions& contributions)
 {
   const CellLayer& layer = this->surface.layer(number);
   const bool hasFiner = number + 1 < this->surface.levels();
   std::vector<std::int32_t> colored;
   std::vector<std::int32_t> known;
+  colored.reserve(static_cast<std::size_t>(layer.size()));
+  known.reserve(static_cast<std::size_t>(layer.size()));
   for (std::int32_t cell = 0; cell < layer.size(); ++cell)
   {
-    const Span<const Contribution> own = contributions.of(cell);
+    const Span<const ViewContribution> own = contributions.of(cell);
     bool isColored = hasColor(own);
     bool isKnown = !own.empty();
     if (hasFiner)
@@ -282,11 +154,11 @@ void Builder::openBlocks(int number, const Contributions& contributions)
     }
     if (isColored)
     {
-      colored.push_back(cell); // NOLINT(performance-inefficient-vector-operation)
+      colored.push_back(cell);
     }
     if (isKnown)
     {
-      known.push_back(cell); // NOLINT(performance-inefficient-vector-operation)
+      known.push_back(cell);
     }
   }
   this->levelAt(number).colors.add(colored);
@@ -295,14 +167,15 @@ void Builder::openBlocks(int number, const Contributions& contributions)
 
 void Builder::addLevel(int number)
 {
-  const Contributions contributions = this->contributionsAt(number);
+  const ViewContributions contributions =
+    viewContributions(this->surface, this->views, number, this->finest);
   this->openBlocks(number, contributions);
   const bool hasFiner = number + 1 < this->surface.levels();
   this->forCells(this->surface.layer(number).size(),
     [&](std::int64_t i, Scratch& scratch)
     {
       const auto cell = static_cast<std::int32_t>(i);
-      const Span<const Contribution> own = contributions.of(cell);
+      const Span<const ViewContribution> own = contributions.of(cell);
       if (!own.empty())
       {
         this->mixViews(number, cell, own, scratch);
@@ -315,7 +188,7 @@ void Builder::addLevel(int number)
 }
 
 void Builder::mixViews(
-  int number, std::int32_t cell, Span<const Contribution> contributions, Scratch& scratch)
+  int number, std::int32_t cell, Span<const ViewContribution> contributions, Scratch& scratch)
 {
   const glm::dvec3& place = this->surface.placeOfCell(number, cell);
   this->table.directionsIn(this->surface.turnOfCell(number, cell), scratch.directions);
@@ -323,7 +196,7 @@ void Builder::mixViews(
   glm::vec4* colors = this->levelAt(number).colors.of(cell);
   std::fill(scratch.sums.begin(), scratch.sums.end(), glm::vec4(0.0f));
   std::fill(scratch.shares.begin(), scratch.shares.end(), 0.0f);
-  for (const Contribution& contribution : contributions)
+  for (const ViewContribution& contribution : contributions)
   {
     const auto view = static_cast<std::size_t>(contribution.view);
     const float depth = this->depthShare(contribution.view, number);

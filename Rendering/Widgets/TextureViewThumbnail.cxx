@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TextureViewThumbnail.h"
 
+#include "ViewTexture.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -106,18 +107,8 @@ vtkSmartPointer<vtkImageData> viewThumbnail(vtkImageData* picture, vtkImageData*
 
 std::array<double, 3> viewColor(int view)
 {
-  // The hues of hachure::coverageColor().
-  constexpr double golden = 0.61803398874989485; // turns: no two of few are alike
-  constexpr double least = 0.25;
-  constexpr double most = 0.95;
-  std::array<double, 3> color{};
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    const double place = view * golden + (3 - channel) / 3.0;
-    const double turned = 6.0 * (place - std::floor(place));
-    color[channel] = least + (most - least) * std::clamp(std::abs(turned - 3.0) - 1.0, 0.0, 1.0);
-  }
-  return color;
+  const glm::u8vec4 color = coverageColor(static_cast<std::size_t>(view));
+  return { color.r / 255.0, color.g / 255.0, color.b / 255.0 };
 }
 
 } // namespace hachure

@@ -21,6 +21,7 @@
  * - Delete, Backspace: removes what is selected
  * - s: saves to the manifest
  * - Control+z: undoes
+ * - i: turns the widget off and on, as all of VTK
  *
  * A key that has nothing to act on is left to others, but a, b, e and s are always taken, since
  * VTK's interactor styles would leave the program with e.
@@ -37,6 +38,7 @@
 #include "HachureRenderingModule.h" // for the export macro
 #include "vtkAbstractWidget.h"
 #include "vtkSmartPointer.h" // for the history
+#include "vtkWeakPointer.h"  // for the history
 
 #include <string> // for names
 #include <vector> // for the history
@@ -169,6 +171,7 @@ private:
   void EndDrag();
 
   std::vector<vtkSmartPointer<vtkTextureViews>> History;
+  vtkWeakPointer<vtkTextureViews> HistoryOf;
   std::string ManifestFileName;
   int Picture = RENDERED;
   bool Dragging = false;

@@ -133,6 +133,11 @@ void vtkTextureViewsWidget::Remember()
 {
   auto copy = vtkSmartPointer<vtkTextureViews>::New();
   copy->ShallowCopy(this->GetViews());
+  if (!this->CanUndo())
+  {
+    this->History.clear(); // that of other views
+    this->HistoryOf = this->GetViews();
+  }
   if (this->History.size() == mostActions)
   {
     this->History.erase(this->History.begin());
@@ -362,13 +367,13 @@ bool vtkTextureViewsWidget::Save()
 //------------------------------------------------------------------------------
 bool vtkTextureViewsWidget::CanUndo()
 {
-  return !this->History.empty();
+  return !this->History.empty() && this->HistoryOf == this->GetViews();
 }
 
 //------------------------------------------------------------------------------
 bool vtkTextureViewsWidget::Undo()
 {
-  if (this->History.empty())
+  if (!this->CanUndo())
   {
     return false;
   }

@@ -33,7 +33,7 @@ if [ -z "$found" ]; then
   exit 1
 fi
 for folder in "$build/Filters" "$build/Rendering" Filters Filters/Core Rendering Rendering/Layers \
-  Rendering/Layers/*/; do
+  Rendering/Layers/*/ Rendering/Widgets; do
   flags+=(-I "$folder")
 done
 

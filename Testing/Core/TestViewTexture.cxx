@@ -3,9 +3,6 @@
 
 #include "ViewTextureScene.h"
 
-#include "CallTests.h"
-#include "TileTests.h"
-
 #include "Core/NodePlaces.h"
 #include "Core/ViewCellColors.h"
 #include "Core/ViewTexture.h"
@@ -13,31 +10,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
-#include <iomanip>
-#include <iostream>
-#include <sstream>
-#include <string>
 
 using namespace hachure;
 
 namespace
 {
-// Of a clock on the wall, and of all threads together.
-std::string secondsOf(const std::function<void()>& call)
-{
-  const auto begin = std::chrono::steady_clock::now();
-  const std::clock_t worked = std::clock();
-  call();
-  std::ostringstream text;
-  text << std::setprecision(2)
-       << std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() << " s ("
-       << static_cast<double>(std::clock() - worked) / CLOCKS_PER_SEC << " of work)";
-  return text.str();
-}
-
 // A view of the square of 2 from the front, so that it has a depth (level) with 32 cells of level
 // 0.
 TextureView viewOfDepth(double depth)
@@ -76,6 +54,15 @@ void forNodes(const SurfaceCells& cells, int level, Body&& body)
   }
 }
 
+glm::dvec3 placeOf(const Surface& surface, const NodePlace& place)
+{
+  const glm::ivec3& corners = surface.triangles[static_cast<std::size_t>(place.triangle)];
+  const glm::dvec2 weights(place.weights);
+  return (1.0 - weights.x - weights.y) * surface.points[static_cast<std::size_t>(corners.x)] +
+    weights.x * surface.points[static_cast<std::size_t>(corners.y)] +
+    weights.y * surface.points[static_cast<std::size_t>(corners.z)];
+}
+
 double linear(std::uint8_t byte)
 {
   return linearOf({ byte, 0, 0, 255 }).r;
@@ -93,37 +80,6 @@ glm::vec3 smoothColor(const glm::dvec3& place)
     0.5 + 0.2 * place.x * place.y };
 }
 } // namespace
-
-// Prints how long an update takes after one image of many was changed; it fails on no time.
-TEST(ViewTexture, UpdateTakesAMoment)
-{
-  for (const double extremes : { 0.7, 0.0 })
-  {
-    std::vector<TextureView> views = viewsAround(20, 512);
-    Textured scene(sphereOf(2), trianglesAsCells(sphereOf(2).mesh()));
-    for (std::size_t i = 0; i < views.size(); ++i)
-    {
-      views[i].dependent = i % 4 != 0;
-      views[i].extremes = extremesAround(views[i], extremes > 0.0 ? 4 : 0, extremes);
-    }
-    scene.texture.setViews(views);
-    for (std::size_t i = 0; i < views.size(); ++i)
-    {
-      scene.setImage(i, views[i],
-        [&](int column, int row)
-        { return glm::u8vec4(column / 2, row / 2, 10 * i, (column / 32 + row / 32) % 2 * 255); });
-    }
-    const std::string all = secondsOf([&] { scene.texture.colors(); });
-    scene.setImage(1, views[1], plain(redPixel));
-    const std::string dependent = secondsOf([&] { scene.texture.colors(); });
-    scene.setImage(0, views[0], plain(redPixel));
-    const std::string independent = secondsOf([&] { scene.texture.colors(); });
-    std::cout << scene.nodes() << " nodes, 20 views" << (extremes > 0.0 ? "" : " without extremes")
-              << ": all " << all << ", one dependent image " << dependent
-              << ", one independent image " << independent << "\n";
-    EXPECT_EQ(scene.texture.colors().independent.size(), static_cast<std::size_t>(scene.nodes()));
-  }
-}
 
 TEST(ViewTexture, SharesOfAllViewsSumToOne)
 {
@@ -191,7 +147,7 @@ TEST(ViewTexture, CellsHaveTheColoursOfTheImage)
     {
       const glm::dvec3 place(toModel * (2.0 * (column + 0.5) / view.width - 1.0),
         toModel * (2.0 * (row + 0.5) / view.height - 1.0), 0.0);
-      return glm::u8vec4(255.0f * smoothColor(place) + 0.5f, 255);
+      return glm::u8vec4(255.0f * glm::clamp(smoothColor(place), 0.0f, 1.0f) + 0.5f, 255);
     });
   const ViewTextureColors& colors = scene.texture.colors();
   const std::vector<NodePlace> places = nodePlaces(scene.surface.mesh(), scene.cells);
@@ -200,13 +156,7 @@ TEST(ViewTexture, CellsHaveTheColoursOfTheImage)
     forNodes(scene.cells, level,
       [&](std::size_t node)
       {
-        const glm::ivec3& corners =
-          scene.surface.triangles[static_cast<std::size_t>(places[node].triangle)];
-        const glm::dvec2 weights(places[node].weights);
-        const glm::dvec3 place = (1.0 - weights.x - weights.y) *
-            scene.surface.points[static_cast<std::size_t>(corners.x)] +
-          weights.x * scene.surface.points[static_cast<std::size_t>(corners.y)] +
-          weights.y * scene.surface.points[static_cast<std::size_t>(corners.z)];
+        const glm::dvec3 place = placeOf(scene.surface, places[node]);
         const glm::vec3 expected = 255.0f * smoothColor(place);
         for (int channel = 0; channel < 3; ++channel)
         {
@@ -261,15 +211,7 @@ TEST(ViewTexture, OnlyUnseenCellsAreFilled)
   forNodes(scene.cells, 4,
     [&](std::size_t node)
     {
-      const glm::ivec3& corners =
-        scene.surface.triangles[static_cast<std::size_t>(places[node].triangle)];
-      double x = 0.0;
-      const glm::dvec2 weights(places[node].weights);
-      const glm::dvec3 all(1.0 - weights.x - weights.y, weights.x, weights.y);
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        x += all[corner] * scene.surface.points[static_cast<std::size_t>(corners[corner])].x;
-      }
+      const double x = placeOf(scene.surface, places[node]).x;
       const bool isKnown = colors.independent[node].a > 0;
       EXPECT_FALSE(isKnown && x < -0.6) << x;
       EXPECT_FALSE(!isKnown && x > -0.4 && x < 0.05) << x;
@@ -312,6 +254,98 @@ TEST(ViewTexture, LevelsWithoutViewsTakeThoseNextToThem)
         });
     }
   }
+}
+
+// A coarse view of all, and a fine one whose mask leaves only the right half. What is seen from
+// everywhere goes on from the coarse one where the fine one says nothing; what is seen from some
+// directions does not in those of the fine view, which has no mark there.
+TEST(ViewTexture, MasksOfFineViewsOverCoarseOnes)
+{
+  Textured scene = squareScene();
+  std::vector<TextureView> views = { viewOfDepth(1.5), viewOfDepth(3.5), viewOfDepth(1.5),
+    viewOfDepth(3.5) };
+  views[2].dependent = views[3].dependent = true;
+  views[3].extremes = { glm::dvec3(3, 0, 4) };
+  scene.texture.setViews(views);
+  for (const std::size_t all : { 0, 2 })
+  {
+    scene.setImage(all, views[all], plain(redPixel));
+  }
+  for (const std::size_t half : { 1, 3 })
+  {
+    scene.setImage(half, views[half],
+      [&](int column, int) { return column < views[half].width / 2 ? clearPixel : bluePixel; });
+  }
+  const ViewTextureColors& colors = scene.texture.colors();
+  const std::vector<NodePlace> places = nodePlaces(scene.surface.mesh(), scene.cells);
+  forNodes(scene.cells, 4,
+    [&](std::size_t node)
+    {
+      const double x = placeOf(scene.surface, places[node]).x;
+      if (std::abs(x) < 0.1)
+      {
+        return;
+      }
+      EXPECT_EQ(colors.independent[node], x < 0.0 ? redPixel : bluePixel) << x;
+      // The middle of the hemisphere is within the fine view's range, its corners are not.
+      const glm::u8vec4& middle = colors.dependent[64 * node + 8 * 4 + 4];
+      EXPECT_EQ(middle.a, x < 0.0 ? 0 : 255) << x;
+      EXPECT_EQ(middle.b > 0, x > 0.0);
+      EXPECT_EQ(colors.dependent[64 * node], redPixel);
+    });
+}
+
+// A rotation has two quaternions.
+TEST(ViewTexture, SignsOfFramesDoNotMatter)
+{
+  const Surface sphere = sphereOf(1);
+  const SurfaceCells cells = trianglesAsCells(sphere.mesh());
+  SurfaceFrames frames = surfaceFrames(sphere.mesh(), cells);
+  TextureView view = viewFrom({ 0, 1, 4 }, glm::dvec3(0.0), 100, 100);
+  view.dependent = true;
+  view.extremes = extremesAround(view, 4, 0.7);
+  const std::vector<glm::u8vec4> pixels(10000, redPixel);
+  const auto make = [&]
+  {
+    ViewTexture texture(sphere.mesh(), cells, frames);
+    texture.setViews({ view });
+    texture.setImage(0, { 100, 100, pixels });
+    return texture.colors().dependent;
+  };
+  const std::vector<glm::u8vec4> before = make();
+  for (std::size_t i = 0; i < frames.turns.size(); i += 2)
+  {
+    frames.turns[i] = -frames.turns[i];
+  }
+  const std::vector<glm::u8vec4> after = make();
+  int most = 0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    most = std::max(most, std::abs(before[i].a - after[i].a));
+  }
+  EXPECT_LE(most, 1);
+}
+
+// At its finer level a view's own mask is not blurred by its coarser one.
+TEST(ViewTexture, MasksStayWhereTheyAre)
+{
+  Textured scene = squareScene();
+  const TextureView view = viewOfDepth(3.5);
+  scene.texture.setViews({ view });
+  scene.setImage(
+    0, view, [&](int column, int) { return column < view.width / 2 ? clearPixel : bluePixel; });
+  const ViewTextureColors& colors = scene.texture.colors();
+  const std::vector<NodePlace> places = nodePlaces(scene.surface.mesh(), scene.cells);
+  forNodes(scene.cells, 4,
+    [&](std::size_t node)
+    {
+      const double x = placeOf(scene.surface, places[node]).x;
+      constexpr double cell = 0.5 / 16.0;
+      if (std::abs(x) > cell)
+      {
+        EXPECT_EQ(colors.independent[node].a, x < 0.0 ? 0 : 255) << x;
+      }
+    });
 }
 
 // Independent views are red, dependent ones blue, at several levels.
@@ -401,111 +435,4 @@ TEST(ViewTexture, ContentsCanBeSeenAlone)
   const ViewTextureColors& again = scene.texture.colors();
   EXPECT_EQ(again.independent, combined.independent);
   EXPECT_EQ(again.dependent, combined.dependent);
-}
-
-// Views come, go and change; what is kept makes no difference.
-TEST(ViewTexture, UpdatesGiveWhatANewTextureGives)
-{
-  std::vector<TextureView> views = viewsAround(4, 40);
-  views[1].dependent = views[2].dependent = true;
-  views[1].extremes = extremesAround(views[1], 4, 0.6);
-  views[2].extremes = extremesAround(views[2], 3, 0.9);
-  views[2].fadeMode = FadeMode::Middle;
-  std::vector<Paint> paints = { plain(redPixel), plain(bluePixel),
-    [](int column, int row) { return glm::u8vec4(4 * column, 3 * row, 80, 5 * column); },
-    [](int column, int row) { return glm::u8vec4(3 * row, 4 * column, 80, 255); } };
-  Textured scene(sphereOf(1));
-  const auto expectSame = [&]
-  {
-    Textured fresh(sphereOf(1));
-    fresh.texture.setViews(views);
-    for (std::size_t i = 0; i < views.size(); ++i)
-    {
-      fresh.setImage(i, views[i], paints[i]);
-    }
-    const ViewTextureColors& colors = scene.texture.colors();
-    EXPECT_EQ(colors.independent, fresh.texture.colors().independent);
-    EXPECT_EQ(colors.dependent, fresh.texture.colors().dependent);
-    return colors.dependent;
-  };
-  scene.texture.setViews(views);
-  for (std::size_t i = 0; i < views.size(); ++i)
-  {
-    scene.setImage(i, views[i], paints[i]);
-  }
-  const std::vector<glm::u8vec4> before = expectSame();
-  paints[2] = plain(redPixel);
-  scene.setImage(2, views[2], paints[2]);
-  EXPECT_NE(expectSame(), before);
-  paints[0] = plain(bluePixel);
-  scene.setImage(0, views[0], paints[0]);
-  expectSame();
-  views[1].extremes = extremesAround(views[1], 4, 0.4);
-  scene.texture.setViews(views);
-  expectSame();
-  views[3].modelToClip = views[0].modelToClip;
-  views[2].dependent = false;
-  scene.texture.setViews(views);
-  expectSame();
-  views.pop_back();
-  views.pop_back();
-  scene.texture.setViews(views);
-  expectSame();
-}
-
-TEST(ViewTexture, IsTheSameForAnyNumberOfThreads)
-{
-  std::vector<TextureView> views = viewsAround(5, 50);
-  views[0].dependent = views[3].dependent = true;
-  views[0].extremes = extremesAround(views[0], 4, 0.6);
-  views[3].fadeMode = FadeMode::Middle;
-  const auto both = withOneAndEightThreads(
-    [&]
-    {
-      Textured scene(sphereOf(2));
-      scene.texture.setViews(views);
-      for (std::size_t i = 0; i < views.size(); ++i)
-      {
-        scene.setImage(i, views[i],
-          [&](int column, int row)
-          { return glm::u8vec4(5 * column, 5 * row, 40 * i, 20 * ((column + row) % 12)); });
-      }
-      return scene.texture.colors();
-    });
-  EXPECT_EQ(both.first.independent, both.second.independent);
-  EXPECT_EQ(both.first.dependent, both.second.dependent);
-}
-
-TEST(ViewTexture, CanBeStoppedAndGoesOn)
-{
-  std::vector<TextureView> views = viewsAround(3, 40);
-  views[1].dependent = true;
-  Textured scene(sphereOf(1));
-  scene.texture.setViews(views);
-  for (std::size_t i = 0; i < views.size(); ++i)
-  {
-    scene.setImage(i, views[i], plain(redPixel));
-  }
-  StoppingProgress all{ 1000 };
-  Textured other(sphereOf(1));
-  other.texture.setViews(views);
-  for (std::size_t i = 0; i < views.size(); ++i)
-  {
-    other.setImage(i, views[i], plain(redPixel));
-  }
-  const ViewTextureColors whole = other.texture.colors(
-    ViewTextureContent::Combined, [&](double fraction) { return all.report(fraction); });
-  EXPECT_EQ(all.last, 1.0);
-  for (int most = 1; most < all.calls; most += 3)
-  {
-    StoppingProgress progress{ most };
-    scene.setImage(1, views[1], plain(redPixel));
-    scene.setImage(2, views[2], plain(redPixel));
-    EXPECT_TRUE(scene.texture
-                  .colors(ViewTextureContent::Combined,
-                    [&](double fraction) { return progress.report(fraction); })
-                  .independent.empty());
-  }
-  EXPECT_EQ(scene.texture.colors().independent, whole.independent);
-  EXPECT_EQ(scene.texture.colors().dependent, whole.dependent);
 }

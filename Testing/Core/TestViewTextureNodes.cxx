@@ -292,6 +292,70 @@ TEST(ViewTextureNodes, DirectionsAgreeOnBothSidesOfRims)
   }
 }
 
+// Read in the direction of its camera, a view's image comes back, whatever the frames.
+TEST(ViewTextureNodes, ViewsAreSeenFromTheirCameras)
+{
+  const Surface sphere = sphereOf(4);
+  SurfaceCellOptions cellOptions;
+  cellOptions.finestLevel = 3;
+  const SurfaceCells cells = surfaceCells(sphere.mesh(), cellOptions);
+  const ViewTextureSurface surface(sphere.mesh(), cells, surfaceFrames(sphere.mesh(), cells));
+  TextureView view = viewFrom({ 1, -2, 3 }, glm::dvec3(0.0), 120, 120);
+  view.dependent = true;
+  view.extremes = extremesAround(view, 5, 0.8);
+  const auto color = [](double x, double y)
+  { return glm::vec3(0.3 + 0.6 * x, 0.9 - 0.6 * y, 0.4 + 0.4 * x * y); };
+  for (const HemisphereMap map : { HemisphereMap::Octahedral, HemisphereMap::Disk })
+  {
+    for (const FadeMode mode : { FadeMode::Curve, FadeMode::Middle, FadeMode::Even })
+    {
+      ViewTextureOptions options;
+      options.map = map;
+      view.fadeMode = mode;
+      Textured scene(sphere, cells, options);
+      scene.texture.setViews({ view });
+      scene.setImage(0, view,
+        [&](int column, int row)
+        { return glm::u8vec4(255.0f * color(column / 120.0, row / 120.0), 255); });
+      const ViewTextureColors& colors = scene.texture.colors();
+      float sum = 0.0f, least = 1.0f, count = 0.0f;
+      for (std::int32_t cell = 0; cell < surface.layer(3).size(); ++cell)
+      {
+        const glm::dvec3& place = surface.placeOfCell(3, cell);
+        const glm::dvec3 towards = glm::normalize(view.eye - place);
+        if (glm::dot(towards, glm::normalize(place)) < 0.3)
+        {
+          continue; // away, or too near to the rim of what is seen
+        }
+        const glm::u8vec4* stored =
+          &colors.dependent[static_cast<std::size_t>(64 * surface.layer(3).nodeOf(cell))];
+        const glm::vec4 found = readHemisphere(
+          map, 8,
+          [&](int i)
+          {
+            glm::vec4 linear = linearOf(glm::u8vec4(stored[i].r, stored[i].g, stored[i].b, 255));
+            linear.a = stored[i].a / 255.0f;
+            return linear;
+          },
+          glm::conjugate(surface.turnOfCell(3, cell)) * glm::vec3(towards));
+        const glm::dvec4 clip = view.modelToClip * glm::dvec4(place, 1.0);
+        const glm::vec3 wanted = color(0.5 + 0.5 * clip.x / clip.w, 0.5 + 0.5 * clip.y / clip.w);
+        for (int channel = 0; channel < 3; ++channel)
+        {
+          EXPECT_NEAR(srgbByteOf(found[channel] / found.a), 255.0f * wanted[channel], 12.0f);
+        }
+        sum += found.a;
+        count += 1.0f;
+        least = std::min(least, found.a);
+      }
+      EXPECT_GT(count, 1000.0f);
+      // Directions are about 0.25 apart, and the view begins to fade 0.4 from its own.
+      EXPECT_GT(sum / count, mode == FadeMode::Middle ? 0.8f : 0.95f);
+      EXPECT_GT(least, mode == FadeMode::Middle ? 0.4f : 0.6f);
+    }
+  }
+}
+
 // Of charts of many triangles, which reach over their rims: the pixels in which a cell is seen show
 // places around its own.
 TEST(ViewTextureNodes, PixelsShowTheirCellsOnFineMeshes)

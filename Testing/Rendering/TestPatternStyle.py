@@ -384,8 +384,10 @@ def test_presets():
         if i < len(patterns):
             assert layer.GetPattern() == patterns[i], name
         else:
-            assert layer.GetTypeName() == ("stipple" if name.startswith("stipple") else "noise"), name
-        without = name in ("painterly", "brush") or name.startswith("stipple")
+            assert layer.GetTypeName() == (
+                {"s": "stipple", "v": "view"}.get(name[0]) if name.startswith(("stipple", "view"))
+                else "noise"), name
+        without = name in ("painterly", "brush", "view") or name.startswith("stipple")
         assert style.GetOutline() != without, name
         texts.add(style.ToJson())
     assert len(texts) == len(names)

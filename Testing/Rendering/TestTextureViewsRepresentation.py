@@ -15,11 +15,13 @@ YELLOW = (255, 217, 26)
 
 
 def flat_image(color, width=30, height=20):
+    """Of one colour, with a transparent pixel, so that it is no longer an opaque thing."""
     result = vtkImageData()
     result.SetDimensions(width, height, 1)
     result.AllocateScalars(3, 4)  # unsigned char
     for component in range(4):
         result.GetPointData().GetScalars().FillComponent(component, color[component])
+    result.SetScalarComponentFromDouble(0, 0, 0, 3, 0.0)
     return result
 
 

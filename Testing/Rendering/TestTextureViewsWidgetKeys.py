@@ -199,6 +199,10 @@ def test_wrong_input():
     assert scene.drawn.GetSelectedItem() == Drawn.NOTHING and scene.drawn.GetSelectedView() == 0
     scene.views.RemoveAllViews()
     assert scene.drawn.GetSelectedView() == -1 and not scene.widget.SwitchFadeMode()
+    assert scene.widget.AddBlendPoint(5.0) == 1 and scene.widget.CanUndo()
+    for others in (two_views(), None):
+        scene.drawn.SetViews(others)
+        assert not scene.widget.Undo(), "what was done to others"
     scene.widget.SetViews(None)
     scene.window.Render()
     scene.press("a", "a")

@@ -41,8 +41,7 @@ vec4 hachureIndependentAt@(int node)
 {
 #if HASINDEPENDENT
   int columns = int(hachureNodeImages@.y);
-  // What nobody knows is grey.
-  return vec4(texelFetch(hachureIndependent@, ivec2(node % columns, node / columns), 0).rgb, 1.0);
+  return texelFetch(hachureIndependent@, ivec2(node % columns, node / columns), 0);
 #else
   return vec4(0.0);
 #endif

@@ -38,6 +38,7 @@ struct vtkViewTextureLayerPainter::Texture
   std::vector<std::pair<vtkMTimeType, vtkMTimeType>> Cameras; // with their ranges
   std::vector<vtkMTimeType> Images;
   int Content = -1;
+  std::pair<bool, bool> Base; // whether there is one, and is painted below
 
   bool SetViews(vtkTextureViews* views, const glm::dvec3& center);
   bool SetImages(vtkTextureViews* views);
@@ -145,7 +146,19 @@ bool vtkViewTextureLayerPainter::HasDependent() const
   return any && this->Layer->GetDisplay() != vtkViewTextureLayer::INDEPENDENT_ONLY;
 }
 
+// Whether the base can be put below the dependent views once for all.
+bool vtkViewTextureLayerPainter::IsPainted() const
+{
+  return this->HasBase() && this->HasDependent() &&
+    this->Layer->GetViews()->GetNumberOfBlendPoints() == 0;
+}
+
 bool vtkViewTextureLayerPainter::HasIndependent() const
+{
+  return this->HasBase() && !this->IsPainted();
+}
+
+bool vtkViewTextureLayerPainter::HasBase() const
 {
   return this->Layer->GetBase() == vtkViewTextureLayer::VIEWS &&
     this->Layer->GetDisplay() != vtkViewTextureLayer::DEPENDENT_ONLY;
@@ -211,10 +224,21 @@ void vtkViewTextureLayerPainter::UpdateColors(vtkPatternSurface& surface)
   const bool otherViews = texture.SetViews(views, this->Origin);
   const bool otherImages = texture.SetImages(views);
   const int content = this->Layer->GetDisplay();
-  if (otherViews || otherImages || content != texture.Content)
+  const std::pair<bool, bool> base(this->HasBase(), this->IsPainted());
+  if (otherViews || otherImages || content != texture.Content || base != texture.Base)
   {
     texture.Content = content;
-    this->Buffers.UploadColors(this->Window, texture.Blend->colors(ContentOf(content)));
+    texture.Base = base;
+    hachure::ViewTextureColors colors = texture.Blend->colors(ContentOf(content));
+    if (base.first)
+    {
+      hachure::paintUnknown(colors);
+    }
+    if (base.second)
+    {
+      hachure::paintBelow(colors);
+    }
+    this->Buffers.UploadColors(this->Window, colors);
   }
 }
 

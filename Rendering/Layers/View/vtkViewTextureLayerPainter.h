@@ -44,6 +44,8 @@ private:
   vtkPatternSurface::CellKey CellKey() const;
   bool HasDependent() const;
   bool HasIndependent() const;
+  bool HasBase() const;
+  bool IsPainted() const;
   void UpdateCells(vtkPatternSurface& surface);
   void UpdateColors(vtkPatternSurface& surface);
   void UpdateView(const FieldScene& scene);

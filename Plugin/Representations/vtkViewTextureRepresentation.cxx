@@ -24,9 +24,10 @@ std::string Text(const char* text)
 // Whether this process is the first one of those with the files.
 bool IsWriter()
 {
-  auto* const session =
-    vtkPVSession::SafeDownCast(vtkProcessModule::GetProcessModule()->GetActiveSession());
-  return !session || session->HasProcessRole(vtkPVSession::DATA_SERVER_ROOT);
+  auto* const processes = vtkProcessModule::GetProcessModule();
+  auto* const session = vtkPVSession::SafeDownCast(processes->GetActiveSession());
+  return (!session || session->HasProcessRole(vtkPVSession::DATA_SERVER)) &&
+    processes->GetPartitionId() == 0;
 }
 } // namespace
 

@@ -65,12 +65,13 @@ def read(name):
 
 for old in os.listdir(folder()):
     os.remove(os.path.join(folder(), old))
-first = manifest("first", painted("waves", waves(period=40), (0, 0, 3), size=256), finestLevel=5)
+first = manifest("first", painted("waves", waves(period=90), (0, 0, 3), size=256), finestLevel=5)
 saved = os.path.join(folder(), "saved.json")
 
 # What is seen from a camera becomes a dependent view that is seen from there alone.
 where, display = open_view(Manifest=first)
 look(where, 20)
+display.ViewTextureExtremeAngle = 60
 seen = scene.picture(where, "view-camera-seen")
 assert names(display) == ["waves"]
 assert press(display, "AddCamera") == ""
@@ -81,8 +82,8 @@ inside = (numpy.abs(seen.astype(int) - 128) > 2).any(axis=2)
 inside = inside & numpy.roll(inside, 6, 0) & numpy.roll(inside, -6, 0) & numpy.roll(inside, 6, 1) & numpy.roll(inside, -6, 1)
 error = (seen.astype(float) - again)[inside]
 assert inside.mean() > 0.1 and seen[inside].std() > 20, (inside.mean(), seen[inside].std())
-assert numpy.sqrt((error**2).mean()) < 12, numpy.sqrt((error**2).mean())
-look(where, 20 + 45)
+assert numpy.sqrt((error**2).mean()) < 20, numpy.sqrt((error**2).mean())
+look(where, 20 + 80)
 assert is_color(scene.picture(where), WHITE)
 
 # It is saved in the coordinates of the surface.
@@ -99,7 +100,7 @@ assert numpy.allclose(view["camera"]["position"], place, atol=1e-6), (view["came
 assert numpy.allclose(view["camera"]["focalPoint"], (0, 0, 0), atol=1e-6)
 for point in view["extremes"]:
     cosine = numpy.dot(point, place) / numpy.linalg.norm(point) / numpy.linalg.norm(place)
-    assert abs(numpy.degrees(numpy.arccos(cosine)) - 30) < 1e-3, point
+    assert abs(numpy.degrees(numpy.arccos(cosine)) - 60) < 1e-3, point
     assert abs(numpy.linalg.norm(point) - numpy.linalg.norm(place)) < 1e-6
 image = read(view["image"])
 assert image.shape == (SIZE[1], SIZE[0], 4)
@@ -110,7 +111,8 @@ assert (image[drawn & (image[..., 3] > 0)][:, :3] == seen[drawn & (image[..., 3]
 # What was saved is what was shown.
 fresh_where, fresh = open_view(Manifest=saved, Display="Dependent only")
 look(fresh_where, 20)
-assert same(scene.picture(fresh_where), again)
+difference = scene.difference(scene.picture(fresh_where, "view-camera-saved"), again)
+assert difference < 0.1, difference
 assert names(fresh) == ["waves", "view 1"]
 simple.Delete(fresh_where)
 
@@ -119,7 +121,7 @@ display.ViewTextureSaveName = ""
 display.ViewTextureManifest = saved
 display.ViewTextureDisplay = "As in the style"
 display.ViewTexturePicture = "Transparent"
-display.ViewTextureExtremeAngle = 60
+display.ViewTextureExtremeAngle = 40
 look(where, 50)
 before = scene.picture(where)
 assert press(display, "AddCamera") == "" and names(display) == ["waves", "view 1", "view 2"]
@@ -134,7 +136,7 @@ with open(saved, encoding="utf-8") as file:
 assert read(view["image"]).max() == 0
 place = to_model(where.CameraPosition)
 cosine = numpy.dot(view["extremes"][0], place) / numpy.dot(place, place)
-assert abs(numpy.degrees(numpy.arccos(cosine)) - 60) < 1e-3
+assert abs(numpy.degrees(numpy.arccos(cosine)) - 40) < 1e-3
 
 # What is painted is seen when the manifest is read again; what was added and not saved is gone then.
 assert press(display, "AddCamera") == ""

@@ -41,17 +41,17 @@ coverage = draw("view-coverage", Manifest=both, Display="Coverage")
 assert not is_color(coverage, BLUE, 40) and not is_color(coverage, RED, 40)
 
 # Detail: as in a style file with the same numbers, and not as before.
-near_and_far = manifest("near-and-far", painted("near", waves(), size=256), painted("far", RED, (0, 0, 40)), finestLevel=5)
-low = (0, -3, 0.6)
-slanted = draw("view-slanted", low, Manifest=near_and_far)
-for options, field in (
-    ({"Level": "One for all"}, {"level": "one"}),
-    ({"ClassicShares": "On"}, {"classicShares": True}),
-    ({"MemoryBudget": 1}, {"memoryBudget": 1}),
+manifest("near-and-far", painted("near", waves(), size=256), painted("far", RED, (0, 0, 40)), finestLevel=5)
+manifest("coarse", painted("around", RED), painted("ahead", waves(), (0, 0, 8), 60, size=256), finestLevel=5)
+for name, position, options, field in (
+    ("near-and-far", (0, -3, 0.6), {"Level": "One for all"}, {"level": "one"}),
+    ("near-and-far", (0, 0, 3), {"MemoryBudget": 1}, {"memoryBudget": 1}),
+    ("coarse", (0, 0, 3), {"ClassicShares": "On"}, {"classicShares": True}),
 ):
-    changed = draw(position=low, Manifest=near_and_far, **options)
-    assert scene.difference(slanted, changed) > 0.5, (options, scene.difference(slanted, changed))
-    assert same(changed, draw(position=low, StyleFile=style_file(manifest="near-and-far.json", **field))), options
+    usual = draw(position=position, Manifest=os.path.join(folder(), name + ".json"))
+    changed = draw("view-" + name, position, Manifest=os.path.join(folder(), name + ".json"), **options)
+    assert scene.difference(usual, changed) > 1, (options, scene.difference(usual, changed))
+    assert same(changed, draw(position=position, StyleFile=style_file(manifest=name + ".json", **field))), options
 afar = manifest("afar", painted("far", RED, (0, 0, 40)), finestLevel=5)
 assert is_color(draw(Manifest=afar), RED)
 assert is_color(draw(Manifest=afar, PropagateUp="Off"), GREY)
@@ -61,7 +61,7 @@ half = style_file("half", manifest="both.json")
 for options in (
     {"InkOpacity": 0.5},
     {"BlendMode": "Multiply", "Paper": "Color", "PaperColor": [1, 1, 0]},
-    {"Tone": "Light", "ToneInvert": "On"},
+    {"Tone": "Light"},
     {"Tone": "Constant", "ToneConstant": 0.3, "ToneGamma": 2},
     {"Tone": "Constant", "ToneRemap": "Steps"},
 ):

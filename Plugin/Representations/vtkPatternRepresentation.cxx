@@ -215,6 +215,12 @@ void vtkPatternRepresentation::UpdateStyle()
 }
 
 //------------------------------------------------------------------------------
+vtkPatternStyle* vtkPatternRepresentation::GetStyle()
+{
+  return static_cast<vtkPatternMapper*>(this->Mapper)->GetStyle();
+}
+
+//------------------------------------------------------------------------------
 bool vtkPatternRepresentation::LoadStyle(vtkPatternStyle* style)
 {
   return this->PatternStyleFile.empty() ? style->LoadPreset(this->PatternStyle)

@@ -747,6 +747,13 @@ protected:
   /** Replaces in a style what the properties ask for. */
   virtual void AdjustStyle(vtkPatternStyle* style);
 
+  /** Makes the style anew if a property was changed; otherwise that is done before the next
+   * picture. */
+  void UpdateStyle();
+
+  /** The style that the last UpdateStyle() has made. */
+  vtkPatternStyle* GetStyle();
+
   // Calls the function with every layer of a type.
   template <class Layer, class Function>
   static void ForEachLayer(vtkPatternStyle* style, const Function& function)
@@ -802,7 +809,6 @@ private:
   }
 
   void UpdatePatches();
-  void UpdateStyle();
   bool LoadStyle(vtkPatternStyle* style);
   void AdjustOutline(vtkPatternStyle* style);
   void AdjustMotion(vtkPatternStyle* style);

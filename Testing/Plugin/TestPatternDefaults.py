@@ -13,11 +13,12 @@ PROXIES = (
     "UniformGridRepresentation",
     "UnstructuredGridRepresentation",
 )
+LABELS = {"ViewTexture": "View-dependent Texture"}  # of those that are not named as their class
 definitions = servermanager.vtkSMProxyManager.GetProxyManager().GetActiveSessionProxyManager()
 
 
 def written(representation):
-    """Properties in the XML that the plugin brings: dictionaries of their attributes, and a tag."""
+    """Properties in the XML that the plugin brings and that are set: dictionaries of their attributes, and a tag."""
     manager = definitions.GetProxyDefinitionManager()
     proxy = manager.GetProxyDefinition("representations", representation + "Representation")
     elements = [proxy.GetNestedElement(i) for i in range(proxy.GetNumberOfNestedElements())]
@@ -25,7 +26,7 @@ def written(representation):
     return [
         dict({name: element.GetAttribute(name) for name in names}, tag=element.GetName())
         for element in elements
-        if element.GetName().endswith("VectorProperty")
+        if element.GetName().endswith("VectorProperty") and not element.GetAttribute("information_only")
     ]
 
 
@@ -72,7 +73,7 @@ def check_proxy(proxy, representation, properties):
     extended.UpdatePropertyInformation()
     kinds = extended.GetProperty("Representation").GetDomain("list")
     texts = [kinds.GetString(i) for i in range(kinds.GetNumberOfStrings())]
-    assert representation in texts, "%s: %s" % (proxy, texts)
+    assert LABELS.get(representation, representation) in texts, "%s: %s" % (proxy, texts)
     for item in properties:
         assert extended.GetProperty(item["name"]), proxy + " lacks " + item["name"]
 
@@ -85,9 +86,10 @@ def styles(representation):
 
 
 pattern = written("Pattern")
-others = {representation: written(representation) for representation in ("Noise", "Stipple")}
+least_counts = {"Noise": 40, "Stipple": 35, "ViewTexture": 30}
+others = {representation: written(representation) for representation in least_counts}
 assert len(pattern) >= 60, len(pattern)
-for representation, least in ("Noise", 40), ("Stipple", 35):
+for representation, least in least_counts.items():
     assert len(others[representation]) >= least, (representation, len(others[representation]))
 for representation, properties in ("Pattern", pattern), *others.items():
     check_defaults(representation, properties)
@@ -95,7 +97,7 @@ for representation, properties in ("Pattern", pattern), *others.items():
     for proxy in PROXIES:
         check_proxy(proxy, representation, properties)
 
-# A property of Noise or Stipple sets what it says, or is one of Pattern and the same in all but its name.
+# A property of another representation sets what it says, or is one of Pattern and the same in all but its name.
 assert all(item["command"] == "Set" + item["name"] for item in pattern)
 named = {item["name"]: item for item in pattern}
 for representation, properties in others.items():
@@ -118,4 +120,5 @@ with scene.Messages() as messages:
     scene.show(ball, where, PatternStyle="no such style")
     simple.Render(where)
 wanted = messages.text.split('"no such style"; expected one of ')[1].split(".")[0].split(", ")
-assert sorted(styles("Pattern") + styles("Noise") + styles("Stipple")) == sorted(wanted), wanted
+listed = [name for representation in ("Pattern", *others) for name in styles(representation)]
+assert sorted(listed) == sorted(wanted), wanted

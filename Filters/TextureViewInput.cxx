@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TextureViewInput.h"
 
+#include "Core/BlendPoints.h"
+#include "Core/ViewTextureSample.h"
+
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -71,6 +74,26 @@ glm::u8vec4 pixelOf(const unsigned char* values, int components, unsigned char m
   return { values[0], values[isGrey ? 0 : 1], values[isGrey ? 0 : 2],
     static_cast<unsigned char>((alpha * mask + whole / 2) / whole) };
 }
+
+glm::dvec3 pointOf(const glm::dmat4& toModel, double depth)
+{
+  const glm::dvec4 point = toModel * glm::dvec4(0.0, 0.0, depth, 1.0);
+  return glm::dvec3(point) / point.w;
+}
+
+std::vector<BlendPoint> blendPoints(vtkTextureViews* views)
+{
+  constexpr double percent = 0.01;
+  std::vector<BlendPoint> points(static_cast<std::size_t>(views->GetNumberOfBlendPoints()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const int index = static_cast<int>(i);
+    views->GetBlendPointPosition(index, &points[i].position[0]);
+    views->GetBlendPointDirection(index, &points[i].direction[0]);
+    points[i].share = percent * views->GetBlendPointPercentage(index);
+  }
+  return points;
+}
 } // namespace
 
 TextureView textureView(vtkTextureViews* views, int view, const glm::dvec3& center)
@@ -130,6 +153,45 @@ std::vector<glm::u8vec4> texturePixels(vtkTextureViews* views, int view)
       pixelOf(values + i * components, components, masks ? masks[i * maskComponents] : whole));
   }
   return pixels;
+}
+
+SurfaceCellOptions surfaceCellOptions(vtkTextureViews* views, int memoryBudget)
+{
+  constexpr std::int64_t bytesPerMiB = 1 << 20;
+  const std::int64_t directions =
+    static_cast<std::int64_t>(views->GetHemisphere()) * views->GetHemisphere();
+  const std::int64_t bytesPerNode = 4 * (directions + 1);
+  SurfaceCellOptions options;
+  options.baseCells = views->GetBaseCells();
+  options.finestLevel = views->GetFinestLevel();
+  options.mostNodes = memoryBudget * bytesPerMiB / bytesPerNode;
+  return options;
+}
+
+ViewTextureOptions viewTextureOptions(vtkTextureViews* views, bool propagateUp, bool classicShares)
+{
+  ViewTextureOptions options;
+  options.hemisphere = views->GetHemisphere();
+  options.map = views->GetHemisphereMap() == vtkTextureViews::DISK ? HemisphereMap::Disk
+                                                                   : HemisphereMap::Octahedral;
+  options.propagateUp = propagateUp;
+  options.classicShares = classicShares;
+  return options;
+}
+
+double independentShare(
+  vtkTextureViews* views, const glm::dmat4& modelToClip, const glm::dvec3& center)
+{
+  const std::vector<BlendPoint> points = blendPoints(views);
+  if (points.empty())
+  {
+    return 0.0;
+  }
+  const glm::dmat4 toModel = glm::inverse(modelToClip);
+  const glm::dvec4 eye = viewerOf(modelToClip);
+  const glm::dvec3 near = pointOf(toModel, -1.0);
+  return BlendFunction(points, center)
+    .at(eye.w > 0.0 ? glm::dvec3(eye) : near, pointOf(toModel, 1.0) - near);
 }
 
 } // namespace hachure

@@ -15,23 +15,6 @@ int numberOf(const CellSpot& spot, int segments)
 {
   return glsl::cellNode(spot.column, spot.row, spot.odd, segments);
 }
-
-// Of a cell across its edge opposite to a corner, if that is no rim.
-CellSpot spotAcross(const CellSpot& spot, int edge)
-{
-  const int sign = spot.odd != 0 ? 1 : -1;
-  return { spot.column + (edge == 1 ? sign : 0), spot.row + (edge == 2 ? sign : 0), 1 - spot.odd };
-}
-
-bool isOnRim(const CellSpot& spot, int edge, int segments)
-{
-  if (spot.odd != 0)
-  {
-    return false;
-  }
-  return edge == 0 ? spot.column + spot.row == segments - 1
-                   : (edge == 1 ? spot.column == 0 : spot.row == 0);
-}
 } // namespace
 
 ChartPlace placeInside(const SurfaceCells& cells, ChartPlace from)
@@ -72,6 +55,22 @@ CellSpot cellSpot(int cell, int segments)
   row += (row + 1) * (2 * segments - row - 1) <= cell ? 1 : 0;
   const int along = cell - row * (2 * segments - row);
   return { along / 2, row, along % 2 };
+}
+
+CellSpot spotAcross(const CellSpot& spot, int edge)
+{
+  const int sign = spot.odd != 0 ? 1 : -1;
+  return { spot.column + (edge == 1 ? sign : 0), spot.row + (edge == 2 ? sign : 0), 1 - spot.odd };
+}
+
+bool isOnRim(const CellSpot& spot, int edge, int segments)
+{
+  if (spot.odd != 0)
+  {
+    return false;
+  }
+  return edge == 0 ? spot.column + spot.row == segments - 1
+                   : (edge == 1 ? spot.column == 0 : spot.row == 0);
 }
 
 CellSpot rimCell(int edge, int along, int segments)

@@ -36,6 +36,9 @@ struct CellSpot
   int odd = 0;
 };
 CellSpot cellSpot(int cell, int segments);
+// Whether the edge opposite to a corner of the cell lies on the chart's rim; else the cell across.
+bool isOnRim(const CellSpot& spot, int edge, int segments);
+CellSpot spotAcross(const CellSpot& spot, int edge);
 
 // Nodes are cells with weights, whose sum is 1: of every node a list.
 struct NodeCells

@@ -85,9 +85,9 @@ double ViewTexture::depthOf(std::size_t view)
   return entry.coverage.depth;
 }
 
-std::vector<std::vector<float>> ViewTexture::nodeShares()
+std::vector<std::vector<float>> ViewTexture::nodeShares(const ProgressFn& progress)
 {
-  return this->state->nodeShares();
+  return this->state->nodeShares(progress);
 }
 
 } // namespace hachure

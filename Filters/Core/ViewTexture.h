@@ -72,8 +72,8 @@ public:
   double depthOf(std::size_t view);
   // For every view and every node: the view's share of what is known there, 0 to 1, whatever the
   // direction, by masks and shares of depth. The shares of all views sum to 1, or to 0 where
-  // nothing is known.
-  std::vector<std::vector<float>> nodeShares();
+  // nothing is known. Without views if the progress function stopped the work.
+  std::vector<std::vector<float>> nodeShares(const ProgressFn& progress = {});
 
 private:
   class State;

@@ -269,9 +269,12 @@ const ViewTextureColors& ViewTexture::State::colors(
   return this->result;
 }
 
-std::vector<std::vector<float>> ViewTexture::State::nodeShares()
+std::vector<std::vector<float>> ViewTexture::State::nodeShares(const ProgressFn& progress)
 {
-  this->updateViews({});
+  if (!this->updateViews(partOf(progress, 0.0, 0.5)))
+  {
+    return {};
+  }
   const auto nodes = static_cast<std::size_t>(this->surface.nodeCount());
   std::vector<std::vector<float>> shares(this->entries.size(), std::vector<float>(nodes, 0.0f));
   std::vector<ViewCellColors> copies;
@@ -284,6 +287,11 @@ std::vector<std::vector<float>> ViewTexture::State::nodeShares()
   // Three views at once, as the channels of a colour.
   for (std::size_t first = 0; first < copies.size(); first += 3)
   {
+    const double begin =
+      0.5 + 0.5 * static_cast<double>(first) / static_cast<double>(copies.size());
+    const double end = 0.5 +
+      0.5 * static_cast<double>(std::min(first + 3, copies.size())) /
+        static_cast<double>(copies.size());
     for (std::size_t view = 0; view < copies.size(); ++view)
     {
       glm::vec4 channels(0.0f, 0.0f, 0.0f, 1.0f);
@@ -293,8 +301,12 @@ std::vector<std::vector<float>> ViewTexture::State::nodeShares()
       }
       paint(copies[view], channels);
     }
-    const std::vector<glm::vec4> colors =
-      viewTextureBase(this->surface, views, this->options.propagateUp);
+    const std::vector<glm::vec4> colors = viewTextureBase(
+      this->surface, views, this->options.propagateUp, partOf(progress, begin, end));
+    if (colors.size() != nodes)
+    {
+      return {};
+    }
     for (std::size_t view = first; view < std::min(first + 3, copies.size()); ++view)
     {
       for (std::size_t node = 0; node < nodes; ++node)

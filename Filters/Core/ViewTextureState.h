@@ -43,7 +43,7 @@ public:
   bool updateBase(const ProgressFn& progress);
   bool updateHemispheres(const ProgressFn& progress);
   const ViewTextureColors& colors(ViewTextureContent content, const ProgressFn& progress);
-  std::vector<std::vector<float>> nodeShares();
+  std::vector<std::vector<float>> nodeShares(const ProgressFn& progress);
   void cover(Entry& entry);
   Entry& entryAt(std::size_t view);
   void assemble(ViewTextureContent content);

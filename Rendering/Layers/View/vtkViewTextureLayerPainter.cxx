@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkViewTextureLayerPainter.h"
 
-#include "BlendPoints.h"
 #include "Kernels.h"
 #include "TextureViewInput.h"
 #include "ViewTexture.h"
 #include "ViewTextureLayer.h"
 #include "ViewTextureLevel.h"
+#include "ViewTextureSample.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
@@ -22,11 +22,6 @@
 #include <exception>
 #include <tuple>
 #include <utility>
-
-namespace
-{
-constexpr double farAway = 1e-9; // w of points at infinity, of their length
-} // namespace
 
 // The blended colours, and what they were made of.
 struct vtkViewTextureLayerPainter::Texture
@@ -91,18 +86,6 @@ bool vtkViewTextureLayerPainter::Texture::SetImages(vtkTextureViews* views)
 
 namespace
 {
-hachure::ViewTextureOptions OptionsOf(vtkViewTextureLayer* layer)
-{
-  hachure::ViewTextureOptions options;
-  options.hemisphere = layer->GetViews()->GetHemisphere();
-  options.map = layer->GetViews()->GetHemisphereMap() == vtkTextureViews::DISK
-    ? hachure::HemisphereMap::Disk
-    : hachure::HemisphereMap::Octahedral;
-  options.propagateUp = layer->GetPropagateUp();
-  options.classicShares = layer->GetClassicShares();
-  return options;
-}
-
 hachure::ViewTextureContent ContentOf(int display)
 {
   switch (display)
@@ -178,13 +161,9 @@ std::string vtkViewTextureLayerPainter::GetDeclarations(bool) const
 
 vtkPatternSurface::CellKey vtkViewTextureLayerPainter::CellKey() const
 {
-  vtkTextureViews* views = this->Layer->GetViews();
-  constexpr std::int64_t bytesPerMiB = 1 << 20;
-  const std::int64_t directions =
-    static_cast<std::int64_t>(views->GetHemisphere()) * views->GetHemisphere();
-  const std::int64_t bytesPerNode = 4 * (directions + 1);
-  return { views->GetBaseCells(), views->GetFinestLevel(),
-    this->Layer->GetMemoryBudget() * bytesPerMiB / bytesPerNode };
+  const hachure::SurfaceCellOptions options =
+    hachure::surfaceCellOptions(this->Layer->GetViews(), this->Layer->GetMemoryBudget());
+  return { options.baseCells, options.finestLevel, options.mostNodes };
 }
 
 void vtkViewTextureLayerPainter::UpdateCells(vtkPatternSurface& surface)
@@ -226,7 +205,9 @@ void vtkViewTextureLayerPainter::UpdateColors(vtkPatternSurface& surface)
     const std::vector<glm::dvec3> first = surface.FirstPositions();
     texture.Blend = std::make_unique<hachure::ViewTexture>(
       hachure::TriangleMesh{ first, surface.Mesh().triangles, {} }, this->Cells->Cells,
-      this->Cells->First, OptionsOf(this->Layer));
+      this->Cells->First,
+      hachure::viewTextureOptions(
+        views, this->Layer->GetPropagateUp(), this->Layer->GetClassicShares()));
   }
   const bool otherViews = texture.SetViews(views, this->Origin);
   const bool otherImages = texture.SetImages(views);
@@ -249,40 +230,6 @@ void vtkViewTextureLayerPainter::UpdateColors(vtkPatternSurface& surface)
   }
 }
 
-namespace
-{
-glm::dvec3 PointOf(const glm::dmat4& toModel, double depth)
-{
-  const glm::dvec4 point = toModel * glm::dvec4(0.0, 0.0, depth, 1.0);
-  return glm::dvec3(point) / point.w;
-}
-
-// How much this camera sees of what is seen from everywhere. Cameras without perspective are where
-// their near plane is.
-double BaseShare(vtkTextureViews* views, const glm::dmat4& modelToClip, const glm::dvec3& center)
-{
-  std::vector<hachure::BlendPoint> points(
-    static_cast<std::size_t>(views->GetNumberOfBlendPoints()));
-  if (points.empty())
-  {
-    return 0.0;
-  }
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const int index = static_cast<int>(i);
-    views->GetBlendPointPosition(index, &points[i].position[0]);
-    views->GetBlendPointDirection(index, &points[i].direction[0]);
-    points[i].share = views->GetBlendPointPercentage(index) / 100.0;
-  }
-  const glm::dmat4 toModel = glm::inverse(modelToClip);
-  const glm::dvec4 eye = toModel * glm::dvec4(0.0, 0.0, -1.0, 0.0);
-  const glm::dvec3 near = PointOf(toModel, -1.0);
-  const bool parallel = std::abs(eye.w) < farAway * glm::length(glm::dvec3(eye));
-  return hachure::BlendFunction(points, center)
-    .at(parallel ? near : glm::dvec3(eye) / eye.w, PointOf(toModel, 1.0) - near);
-}
-} // namespace
-
 void vtkViewTextureLayerPainter::UpdateView(const FieldScene& scene)
 {
   const glm::dmat4 toClip = glm::translate(scene.ModelToClip, this->Origin);
@@ -290,11 +237,7 @@ void vtkViewTextureLayerPainter::UpdateView(const FieldScene& scene)
   this->RowX = glm::vec4(toLogical * scene.Viewport[2] * glm::row(toClip, 0));
   this->RowY = glm::vec4(toLogical * scene.Viewport[3] * glm::row(toClip, 1));
   this->RowW = glm::vec4(glm::row(toClip, 3));
-  // What all of its depths are drawn to one point of the picture is the eye.
-  const glm::dvec4 eye = glm::inverse(toClip) * glm::dvec4(0.0, 0.0, -1.0, 0.0);
-  const bool parallel = std::abs(eye.w) < farAway * glm::length(glm::dvec3(eye));
-  this->Viewer = parallel ? glm::vec4(glm::vec3(eye), 0.0f)
-                          : glm::vec4(glm::vec3(eye) / static_cast<float>(eye.w), 1.0f);
+  this->Viewer = glm::vec4(hachure::viewerOf(toClip));
   const double cellArea = this->Cells->Cells.cellArea;
   const glm::dvec2 logicalSize =
     glm::dvec2(scene.Viewport[2], scene.Viewport[3]) / this->CurrentScene.PixelsPerLogical;
@@ -303,7 +246,8 @@ void vtkViewTextureLayerPainter::UpdateView(const FieldScene& scene)
     ? hachure::levelOfSurface(scene.Surface->Mesh(), scene.ModelToClip, logicalSize, cellArea)
     : 0.0;
   this->Shape = { static_cast<float>(cellArea), static_cast<float>(this->Cells->Cells.finestLevel),
-    static_cast<float>(BaseShare(this->Layer->GetViews(), scene.ModelToClip, this->Origin)),
+    static_cast<float>(
+      hachure::independentShare(this->Layer->GetViews(), scene.ModelToClip, this->Origin)),
     one ? 1.0f + static_cast<float>(std::max(level, 0.0)) : 0.0f };
 }
 

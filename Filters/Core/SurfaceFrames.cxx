@@ -15,6 +15,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace hachure
 {
@@ -184,35 +185,75 @@ std::vector<std::size_t> smoothCorners(
   return heads;
 }
 
+bool reachesOverRim(const std::array<glm::vec2, 3>& places)
+{
+  constexpr float slack = 1e-6f; // rounding
+  return std::any_of(places.begin(), places.end(),
+    [](const glm::vec2& place) {
+      return std::min({ place.x, place.y, 1.0f - place.x - place.y }) < -slack;
+    });
+}
+
 // Numbers sheets, and frames: a sheet has one for every way its charts face.
+class FrameNumbers
+{
+public:
+  FrameNumbers(const TriangleMesh& ofMesh, const std::vector<std::size_t>& ofHeads)
+    : mesh(&ofMesh)
+    , heads(&ofHeads)
+    , framesOf(ofHeads.size(), glm::ivec2(-1))
+  {
+  }
+
+  std::int32_t at(SurfaceFrames& frames, std::size_t corner, char down)
+  {
+    glm::ivec2& found = this->framesOf[(*this->heads)[corner]];
+    const std::int32_t other = found[1 - down];
+    if (found[down] < 0)
+    {
+      found[down] = static_cast<std::int32_t>(frames.points.size());
+      frames.points.push_back(pointAt(*this->mesh, corner));
+      frames.sheets.push_back(other < 0 ? this->sheets++ : frames.sheets[indexOf(other)]);
+      frames.others.push_back(other < 0 ? found[down] : other);
+      this->isDown.push_back(down);
+      if (other >= 0)
+      {
+        frames.others[indexOf(other)] = found[down];
+      }
+    }
+    return found[down];
+  }
+
+  std::vector<char> isDown; // of every frame
+
+private:
+  const TriangleMesh* mesh;
+  const std::vector<std::size_t>* heads;
+  std::vector<glm::ivec2> framesOf; // of the first corner of a sheet
+  std::int32_t sheets = 0;
+};
+
 SurfaceFrames numberFrames(const TriangleMesh& mesh, const SurfaceCells& cells,
   const CornerLists& around, const std::vector<std::size_t>& heads, std::vector<char>& framesDown)
 {
-  const std::vector<char> isDown = chartsFacingDown(mesh, cells);
-  constexpr glm::ivec2 none(-1);
-  std::vector<glm::ivec2> framesOf(heads.size(), none); // of the first corner of a sheet
-  std::vector<std::int32_t> sheetOf(heads.size(), -1);
   SurfaceFrames frames;
+  frames.facesDown = chartsFacingDown(mesh, cells);
   frames.corners.assign(mesh.triangles.size(), glm::ivec3(-1));
   frames.points.reserve(mesh.points.size());
   frames.sheets.reserve(mesh.points.size());
-  std::int32_t sheets = 0;
+  frames.others.reserve(mesh.points.size());
+  FrameNumbers numbers(mesh, heads);
   for (const std::size_t corner : around.corners)
   {
-    const std::size_t head = heads[corner];
-    sheets += sheetOf[head] < 0 ? 1 : 0;
-    sheetOf[head] = sheetOf[head] < 0 ? sheets - 1 : sheetOf[head];
-    const char down = isDown[indexOf(cells.chartOfTriangle[corner / 3])];
-    std::int32_t& frame = framesOf[head][down];
-    if (frame < 0)
+    const std::size_t triangle = corner / 3;
+    const char down = frames.facesDown[indexOf(cells.chartOfTriangle[triangle])];
+    frames.corners[triangle][static_cast<int>(corner % 3)] = numbers.at(frames, corner, down);
+    if (reachesOverRim(cells.places[triangle]))
     {
-      frame = static_cast<std::int32_t>(frames.points.size());
-      frames.points.push_back(pointAt(mesh, corner));
-      frames.sheets.push_back(sheetOf[head]);
-      framesDown.push_back(down);
+      numbers.at(frames, corner, static_cast<char>(1 - down));
     }
-    frames.corners[corner / 3][static_cast<int>(corner % 3)] = frame;
   }
+  framesDown = std::move(numbers.isDown);
   return frames;
 }
 
@@ -343,7 +384,6 @@ SurfaceFrames surfaceFrames(
     [&](std::size_t corner)
     { return cells.chartOfTriangle[corner / 3] < 0 ? -1 : pointAt(joined, corner); });
   std::vector<char> isDown;
-  isDown.reserve(mesh.points.size());
   SurfaceFrames frames =
     numberFrames(joined, cells, around, smoothCorners(joined, around, featureAngle), isDown);
   const CornerLists sheets = sheetCorners(frames);
@@ -358,6 +398,20 @@ SurfaceFrames surfaceFrames(
     frames.turns[frame] = frameOf(normal, isDown[frame] != 0);
   }
   return frames;
+}
+
+glm::ivec3 cornerFrames(
+  const SurfaceFrames& frames, std::size_t triangle, std::int32_t ownChart, std::int32_t chart)
+{
+  glm::ivec3 corners = frames.corners[triangle];
+  if (frames.facesDown[indexOf(ownChart)] != frames.facesDown[indexOf(chart)])
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      corners[corner] = frames.others[indexOf(corners[corner])];
+    }
+  }
+  return corners;
 }
 
 void moveFrames(SurfaceFrames& frames, const TriangleMesh& reference, Span<const glm::dvec3> moved)

@@ -29,7 +29,15 @@ struct SurfaceFrames
   std::vector<std::int32_t> points; // of every frame: its mesh point
   std::vector<glm::quat> turns;     // of every frame: from the frame's to model coordinates
   std::vector<std::int32_t> sheets; // of every frame: those of one number share their normal
+  // Of every frame: the one of the other family there, where triangles reach over the rim of their
+  // chart; else itself.
+  std::vector<std::int32_t> others;
+  std::vector<char> facesDown; // of every chart: its family
 };
+
+// The frames at the corners of a triangle for a chart, its own or one that it reaches into.
+glm::ivec3 cornerFrames(
+  const SurfaceFrames& frames, std::size_t triangle, std::int32_t ownChart, std::int32_t chart);
 
 constexpr double defaultFeatureAngle = 0.5235987755982988; // radians: 30 degrees
 

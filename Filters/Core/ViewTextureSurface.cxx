@@ -14,10 +14,12 @@ namespace hachure
 {
 namespace
 {
-// Inside a triangle: see SurfaceFrames.h.
-glm::quat turnAt(const SurfaceFrames& frames, const NodePlace& place)
+// Inside a triangle, in the family of a chart: see SurfaceFrames.h.
+glm::quat turnAt(const SurfaceFrames& frames, const SurfaceCells& cells, const NodePlace& place,
+  std::int32_t chart)
 {
-  const glm::ivec3& corners = frames.corners[static_cast<std::size_t>(place.triangle)];
+  const auto triangle = static_cast<std::size_t>(place.triangle);
+  const glm::ivec3 corners = cornerFrames(frames, triangle, cells.chartOfTriangle[triangle], chart);
   const glm::vec3 weights(
     1.0f - place.weights.x - place.weights.y, place.weights.x, place.weights.y);
   const glm::quat first = frames.turns[static_cast<std::size_t>(corners.x)];
@@ -60,6 +62,14 @@ void ViewTextureSurface::checkInput(const SurfaceFrames& frames) const
     throw std::invalid_argument("frames.corners: " + std::to_string(frames.corners.size()) +
       " values for " + std::to_string(count) + " triangles");
   }
+  if (frames.facesDown.size() != this->cells.charts.size() ||
+    frames.others.size() != frames.turns.size())
+  {
+    throw std::invalid_argument("frames: " + std::to_string(frames.facesDown.size()) +
+      " charts and " + std::to_string(frames.others.size()) + " others for " +
+      std::to_string(this->cells.charts.size()) + " charts and " +
+      std::to_string(frames.turns.size()) + " frames");
+  }
   const auto frameCount = static_cast<int>(frames.turns.size());
   for (std::size_t triangle = 0; triangle < count; ++triangle)
   {
@@ -79,13 +89,19 @@ void ViewTextureSurface::placeNodes(const SurfaceFrames& frames)
 {
   const std::vector<NodePlace> nodePlaceList = nodePlaces(this->mesh(), this->cells);
   this->turns.assign(nodePlaceList.size(), glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
-  parallelFor(static_cast<std::int64_t>(nodePlaceList.size()),
+  parallelFor(static_cast<std::int64_t>(this->cells.charts.size()),
     [&](std::int64_t i)
     {
-      const NodePlace& place = nodePlaceList[static_cast<std::size_t>(i)];
-      if (place.triangle >= 0)
+      const auto chart = static_cast<std::int32_t>(i);
+      const std::int32_t end = this->cells.firstNode[static_cast<std::size_t>(i) + 1];
+      for (std::int32_t node = this->cells.firstNode[static_cast<std::size_t>(i)]; node < end;
+           ++node)
       {
-        this->turns[static_cast<std::size_t>(i)] = turnAt(frames, place);
+        const NodePlace& place = nodePlaceList[static_cast<std::size_t>(node)];
+        if (place.triangle >= 0)
+        {
+          this->turns[static_cast<std::size_t>(node)] = turnAt(frames, this->cells, place, chart);
+        }
       }
     });
   this->places.resize(this->layers.size());

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Core/SurfaceCharts.h"
 #include "Core/SurfaceFrames.h"
 #include "TestSurfaces.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -86,6 +88,48 @@ TEST(SurfaceFrames, TurnTheShortestWayAndSmoothlyInEveryChart)
   // One for every place, and a second one where charts of both kinds meet.
   EXPECT_GT(frames.points.size(), surface.points.size() - 158);
   EXPECT_LT(frames.points.size(), 1.1 * static_cast<double>(surface.points.size()));
+}
+
+// Where a triangle reaches into a chart of the other family its corners have frames of that one
+// too.
+TEST(SurfaceFrames, OfBothFamiliesWhereTrianglesReachOverTheRim)
+{
+  const Surface surface = sphere(60);
+  SurfaceCellOptions options;
+  options.baseCells = 40;
+  const SurfaceCells cells = surfaceCells(surface.mesh(), options);
+  const SurfaceFrames frames = surfaceFrames(surface.mesh(), cells);
+  ASSERT_EQ(frames.facesDown.size(), cells.charts.size());
+  int reaching = 0;
+  for (std::size_t triangle = 0; triangle < surface.triangles.size(); ++triangle)
+  {
+    const std::int32_t own = cells.chartOfTriangle[triangle];
+    bool reaches = false;
+    for (const glm::vec2& place : cells.places[triangle])
+    {
+      reaches = reaches || std::min({ place.x, place.y, 1.0f - place.x - place.y }) < -1e-5f;
+    }
+    for (std::int32_t chart = 0;
+         own >= 0 && reaches && chart < static_cast<std::int32_t>(cells.charts.size()); ++chart)
+    {
+      const glm::ivec3 corners = cornerFrames(frames, triangle, own, chart);
+      const bool isDown = frames.facesDown[static_cast<std::size_t>(chart)] != 0;
+      const glm::quat start = isDown ? glm::quat(0.0f, 1.0f, 0.0f, 0.0f) : glm::quat(1, 0, 0, 0);
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const auto frame = static_cast<std::size_t>(corners[corner]);
+        EXPECT_LT(glm::distance(surface.points[static_cast<std::size_t>(frames.points[frame])],
+                    surface.points[static_cast<std::size_t>(surface.triangles[triangle][corner])]),
+          1e-9);
+        const glm::quat turn = frames.turns[frame] * glm::conjugate(start);
+        const float cosine = glm::dot(start * yAxis, frames.turns[frame] * yAxis);
+        EXPECT_NEAR(2.0f * turn.w * turn.w - 1.0f, cosine, 1e-5f);
+      }
+      ++reaching;
+    }
+  }
+  EXPECT_GT(reaching, 1000);
+  EXPECT_LT(frames.points.size(), 2 * surface.points.size());
 }
 
 TEST(SurfaceFrames, CreasesHaveAFrameOnEachSide)

@@ -114,6 +114,17 @@ def test_a_view_seen_from_its_own_camera_is_reproduced():
         assert decibels >= 30.0, decibels
 
 
+def test_no_seams_between_charts():
+    """Directions are kept in frames of two families; a triangle may lie on charts of both."""
+    layer = view_layer(finest=5, Base=LAYER.BELOW)
+    add_view(layer, (3.0, 0.5, 0.5), even((200, 30, 30), 256), True, 60.0)
+    window = stage(scene.sphere(120), layer, (3.0, 0.5, 0.5))[2]
+    picture = scene.draw(window)[84:-84, 84:-84].astype(int)
+    away = numpy.abs(picture - (200, 30, 30)).max()
+    print("away from the colour of the view", away)
+    assert away <= 8, away
+
+
 def test_a_dependent_view_is_seen_from_near_its_camera_only():
     layer = view_layer(finest=3, Base=LAYER.BELOW)
     add_view(layer, (0.0, 0.0, 3.0), even((200, 30, 30)), True, 40.0)

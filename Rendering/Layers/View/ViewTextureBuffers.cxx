@@ -32,7 +32,8 @@ std::vector<glm::vec4> RecordTexels(const hachure::TriangleRuns& runs,
   return texels;
 }
 
-std::vector<glm::vec4> ChartTexels(const hachure::SurfaceCells& cells)
+std::vector<glm::vec4> ChartTexels(
+  const hachure::SurfaceCells& cells, const hachure::SurfaceFrames& frames)
 {
   std::vector<glm::vec4> texels;
   texels.reserve(texelsOfRecord * cells.charts.size());
@@ -45,8 +46,8 @@ std::vector<glm::vec4> ChartTexels(const hachure::SurfaceCells& cells)
     const int above = std::max(chart.level, -1) + 1; // a level that is divided
     const std::int64_t divided = hachure::firstNodeOf(cells, i, above) -
       hachure::glsl::chartNodesBelow(hachure::subdivisionsOf(chart, above));
-    texels.emplace_back(
-      static_cast<float>(cells.firstNode[i]), static_cast<float>(divided), 0.0f, 0.0f);
+    texels.emplace_back(static_cast<float>(cells.firstNode[i]), static_cast<float>(divided),
+      static_cast<float>(frames.facesDown[i]), 0.0f);
   }
   return texels;
 }
@@ -117,7 +118,7 @@ void ViewTextureBuffers::UploadCells(vtkOpenGLRenderWindow* window,
       " nodes of cells; expected at most " + std::to_string(mostWholeNumbers));
   }
   this->Triangles.Upload(window, RecordTexels(runs, cells, frames), components);
-  this->Charts.Upload(window, ChartTexels(cells), components);
+  this->Charts.Upload(window, ChartTexels(cells, frames), components);
 }
 
 void ViewTextureBuffers::UploadFrames(vtkOpenGLRenderWindow* window,
@@ -130,7 +131,7 @@ void ViewTextureBuffers::UploadFrames(vtkOpenGLRenderWindow* window,
   {
     const glm::dvec3 place = positions[static_cast<std::size_t>(frames.points[i])] - origin;
     const glm::quat& turn = frames.turns[i];
-    texels.emplace_back(glm::vec3(place), 0.0f);
+    texels.emplace_back(glm::vec3(place), static_cast<float>(frames.others[i]));
     texels.emplace_back(turn.x, turn.y, turn.z, turn.w);
   }
   this->Frames.Upload(window, texels, components);

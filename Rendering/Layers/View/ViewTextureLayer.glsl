@@ -3,8 +3,8 @@
 // HASDEPENDENT and HASINDEPENDENT: which colours there are.
 
 uniform samplerBuffer hachureCellTriangles@; // of every record: frames at the corners, 1 where another one follows; packed places of the corners, chart
-uniform samplerBuffer hachureCellFrames@;    // of every frame: position about hachurePatchOrigin; turn
-uniform samplerBuffer hachureCellCharts@;    // of every chart: neighbours, first level; first node of level 0 and, less those below, of the levels above the first
+uniform samplerBuffer hachureCellFrames@;    // of every frame: position about hachurePatchOrigin, frame of the other family; turn
+uniform samplerBuffer hachureCellCharts@;    // of every chart: neighbours, first level; first node of level 0 and, less those below, of the levels above the first; family of frames
 uniform sampler2D hachureDependent@;   // squares of directions, see ViewTextureColors.h
 uniform sampler2D hachureIndependent@; // colours of nodes
 uniform vec4 hachureCellX@; // rows of the matrix from hachureRunPoint to logical pixels times w (X, Y), and w
@@ -117,6 +117,22 @@ int hachureFindChart@(int start, inout vec2 place)
   return chart;
 }
 
+// Of the frames at the corners, by their weights.
+vec4 hachureTurn@(vec3 corners, vec3 weights)
+{
+  return mixedTurn(texelFetch(hachureCellFrames@, 2 * int(corners.x) + 1),
+    texelFetch(hachureCellFrames@, 2 * int(corners.y) + 1),
+    texelFetch(hachureCellFrames@, 2 * int(corners.z) + 1), weights);
+}
+
+// The same corners' frames of the other family.
+vec3 hachureOtherFrames@(vec3 corners)
+{
+  return vec3(texelFetch(hachureCellFrames@, 2 * int(corners.x)).w,
+    texelFetch(hachureCellFrames@, 2 * int(corners.y)).w,
+    texelFetch(hachureCellFrames@, 2 * int(corners.z)).w);
+}
+
 float hachureCoverage@(vec2 position, float tone)
 {
   if (hachureCellShape@.x < 0.0)
@@ -131,14 +147,13 @@ float hachureCoverage@(vec2 position, float tone)
   {
     return 0.0; // without area
   }
-  vec4 turn = mixedTurn(texelFetch(hachureCellFrames@, 2 * int(corners.x) + 1),
-    texelFetch(hachureCellFrames@, 2 * int(corners.y) + 1),
-    texelFetch(hachureCellFrames@, 2 * int(corners.z) + 1), weights);
   vec2 place = weights.x * unpackedPlace(places.x) + weights.y * unpackedPlace(places.y) +
     weights.z * unpackedPlace(places.z);
   int number = hachureFindChart@(int(places.w), place);
   vec4 chart = texelFetch(hachureCellCharts@, 2 * number);
   vec4 first = texelFetch(hachureCellCharts@, 2 * number + 1);
+  bool otherFamily = texelFetch(hachureCellCharts@, 2 * int(places.w) + 1).z != first.z;
+  vec4 turn = hachureTurn@(otherFamily ? hachureOtherFrames@(corners.xyz) : corners.xyz, weights);
 
   vec3 toViewer = hachureViewer@.xyz - hachureViewer@.w * hachureRunPoint;
   vec2 square = HEMISPHEREMAP(normalize(turnedBack(turn, toViewer)));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewTextureOutput.h"
 
-#include "Core/ViewCellColors.h"
+#include "Core/SrgbColor.h"
 #include "Core/ViewTexture.h"
 #include "SurfacePatchesInput.h"
 
@@ -132,7 +132,7 @@ glm::u8vec4 mixedColor(const std::vector<std::vector<float>>& shares, std::size_
   {
     sum += shares[view][node] * linearOf(coverageColor(view));
   }
-  return { srgbByteOf(sum.r), srgbByteOf(sum.g), srgbByteOf(sum.b), byteOf(sum.a) };
+  return srgbOf(sum);
 }
 
 void attachShares(const ViewTextureCells& cells, const std::vector<std::int32_t>& drawn,

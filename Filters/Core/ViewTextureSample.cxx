@@ -4,8 +4,8 @@
 
 #include "Kernels.h"
 #include "Parallel.h"
+#include "SrgbColor.h"
 #include "TextureView.h"
-#include "ViewCellColors.h"
 
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -27,7 +27,7 @@ constexpr double farAway = 1e-9; // w of points at infinity, of their length
 glm::vec4 texel(const glm::u8vec4& color)
 {
   constexpr float whole = 255.0f;
-  const glm::vec3 linear(linearOf({ color.r, color.g, color.b, 255 }));
+  const glm::vec3 linear = linearColorOf(color);
   return { linear, static_cast<float>(color.a) / whole };
 }
 
@@ -304,8 +304,7 @@ std::vector<glm::u8vec4> viewTexturePointColors(const TriangleMesh& mesh, const 
         static_cast<float>(cells.cellArea) * viewer.areaAt(point, normalOf(place.turn));
       const glm::vec4 color = viewTextureColorAt(cells, colors, place, viewer.directionFrom(point),
         glsl::levelOfArea(area), static_cast<float>(camera.independentShare));
-      found[index] = { srgbByteOf(color.r), srgbByteOf(color.g), srgbByteOf(color.b),
-        byteOf(color.a) };
+      found[index] = srgbOf(color);
     });
   return found;
 }

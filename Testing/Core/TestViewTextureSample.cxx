@@ -6,7 +6,7 @@
 #include "ViewTextureScene.h"
 
 #include "Core/HemisphereTable.h"
-#include "Core/ViewCellColors.h"
+#include "Core/SrgbColor.h"
 #include "Core/ViewTextureSample.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 
 # fetch.sh [DIR]: fetches data whose terms do not allow a copy in this repository from the packages of
 # Debian 12, without installing them, into DIR; default: the folder Fetched beside this script, where
-# the quality report looks. Needs apt-get update once.
+# the quality report and the figures look. Needs apt-get update once.
 
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -30,3 +30,23 @@ fetch() {
 
 fetch calculix-cgx-examples usr/share/doc/calculix-cgx-examples/examples/result.frd blade.frd \
   73bc3b01504cb0d6f594cbf0c2c301e0b5f7167bd73f4adc1fa0fa6ecd852cc0
+
+# A scan as InVesalius keeps it: 256 x 256 x 108 numbers of 16 bits in an archive.
+scan=usr/share/doc/invesalius-examples/examples/Cranium.inv3
+fetch invesalius-examples "$scan" cranium.inv3 \
+  3b34f11f7c4f557f4c65cd6543c412a2f6ceb0cfecfd9c41184420e02d9b7e2a
+{
+  cat <<'END'
+<?xml version="1.0"?>
+<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt32">
+<ImageData WholeExtent="0 255 0 255 0 107" Origin="0 0 0" Spacing="0.9570312 0.9570312 1.5">
+<Piece Extent="0 255 0 255 0 107">
+<PointData Scalars="HU"><DataArray type="Int16" Name="HU" format="binary">
+END
+  # The number of bytes, 0xd80000, goes before them.
+  { printf '\0\0\330\0'; tar -xzOf "$out/cranium.inv3" --wildcards '*/matrix.dat'; } | base64 -w0
+  printf '\n</DataArray></PointData></Piece></ImageData></VTKFile>\n'
+} > "$work/ct.vti"
+mv "$work/ct.vti" "$out/ct.vti"
+rm "$out/cranium.inv3"
+echo "$out/ct.vti"

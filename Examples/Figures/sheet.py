@@ -82,13 +82,13 @@ def save(pictures, default, levels=LEVELS):
     writer.Write()
 
 
-def skull():
-    """The bone of a scan, about as large as a ball of radius 1 about the origin; it looks along -y."""
+def placed_bone(file, isovalue):
+    """A surface of a scan, about as large as a ball of radius 1 about the origin."""
     reader = vtk.vtkXMLImageDataReader()
-    reader.SetFileName(str(DATA / "skull.vti"))
+    reader.SetFileName(str(file))
     bone = vtk.vtkFlyingEdges3D()
     bone.SetInputConnection(reader.GetOutputPort())
-    bone.SetValue(0, 2.9)
+    bone.SetValue(0, isovalue)
     bone.Update()
     centre, size = bone.GetOutput().GetCenter(), bone.GetOutput().GetLength()
     place = vtk.vtkTransform()
@@ -99,3 +99,8 @@ def skull():
     placed.SetInputConnection(bone.GetOutputPort())
     placed.Update()
     return placed.GetOutput()
+
+
+def skull():
+    """The bone of a scan; it looks along -y."""
+    return placed_bone(DATA / "skull.vti", 2.9)

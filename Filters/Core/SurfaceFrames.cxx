@@ -84,7 +84,7 @@ double angleAt(const TriangleMesh& mesh, std::size_t corner)
   return std::atan2(glm::length(glm::cross(one, other)), glm::dot(one, other));
 }
 
-std::vector<char> chartsFacingDown(const TriangleMesh& mesh, const SurfaceCells& cells)
+std::vector<std::uint8_t> chartsFacingDown(const TriangleMesh& mesh, const SurfaceCells& cells)
 {
   std::vector<double> up(cells.charts.size(), 0.0);
   for (std::size_t triangle = 0; triangle < cells.chartOfTriangle.size(); ++triangle)
@@ -95,8 +95,9 @@ std::vector<char> chartsFacingDown(const TriangleMesh& mesh, const SurfaceCells&
         triangleAreaVector(mesh, static_cast<std::int64_t>(triangle)).y;
     }
   }
-  std::vector<char> isDown(up.size());
-  std::transform(up.begin(), up.end(), isDown.begin(), [](double y) { return y < 0.0 ? 1 : 0; });
+  std::vector<std::uint8_t> isDown(up.size());
+  std::transform(up.begin(), up.end(), isDown.begin(),
+    [](double y) { return static_cast<std::uint8_t>(y < 0.0 ? 1 : 0); });
   return isDown;
 }
 
@@ -185,13 +186,14 @@ std::vector<std::size_t> smoothCorners(
 
 // Numbers sheets, and frames: a sheet has one for every way its charts face.
 SurfaceFrames numberFrames(const TriangleMesh& mesh, const SurfaceCells& cells,
-  const CornerLists& around, const std::vector<std::size_t>& heads, std::vector<char>& framesDown)
+  const CornerLists& around, const std::vector<std::size_t>& heads,
+  std::vector<std::uint8_t>& framesDown)
 {
-  const std::vector<char> isDown = chartsFacingDown(mesh, cells);
   constexpr glm::ivec2 none(-1);
   std::vector<glm::ivec2> framesOf(heads.size(), none); // of the first corner of a sheet
   std::vector<std::int32_t> sheetOf(heads.size(), -1);
   SurfaceFrames frames;
+  frames.chartsDown = chartsFacingDown(mesh, cells);
   frames.corners.assign(mesh.triangles.size(), glm::ivec3(-1));
   frames.points.reserve(mesh.points.size());
   frames.sheets.reserve(mesh.points.size());
@@ -201,7 +203,7 @@ SurfaceFrames numberFrames(const TriangleMesh& mesh, const SurfaceCells& cells,
     const std::size_t head = heads[corner];
     sheets += sheetOf[head] < 0 ? 1 : 0;
     sheetOf[head] = sheetOf[head] < 0 ? sheets - 1 : sheetOf[head];
-    const char down = isDown[indexOf(cells.chartOfTriangle[corner / 3])];
+    const std::uint8_t down = frames.chartsDown[indexOf(cells.chartOfTriangle[corner / 3])];
     std::int32_t& frame = framesOf[head][down];
     if (frame < 0)
     {
@@ -339,13 +341,14 @@ SurfaceFrames surfaceFrames(
   const CornerLists around(mesh.triangles.size(), mesh.points.size(),
     [&](std::size_t corner)
     { return cells.chartOfTriangle[corner / 3] < 0 ? -1 : pointAt(mesh, corner); });
-  std::vector<char> isDown;
+  std::vector<std::uint8_t> isDown;
   isDown.reserve(mesh.points.size());
   SurfaceFrames frames =
     numberFrames(mesh, cells, around, smoothCorners(mesh, around, featureAngle), isDown);
   const CornerLists sheets = sheetCorners(frames);
   const std::vector<glm::dvec3> normals = sheetNormals(mesh, sheets);
   frames.turns.resize(frames.points.size());
+  frames.otherTurns.resize(frames.points.size());
   for (std::size_t frame = 0; frame < frames.turns.size(); ++frame)
   {
     const std::size_t sheet = indexOf(frames.sheets[frame]);
@@ -353,6 +356,7 @@ SurfaceFrames surfaceFrames(
       ? normals[sheet]
       : unitNormal(mesh, sheets.of(sheet)[0] / 3);
     frames.turns[frame] = frameOf(normal, isDown[frame] != 0);
+    frames.otherTurns[frame] = frameOf(normal, isDown[frame] == 0);
   }
   return frames;
 }
@@ -369,7 +373,10 @@ void moveFrames(SurfaceFrames& frames, const TriangleMesh& reference, Span<const
     {
       const auto frame = static_cast<std::size_t>(i);
       const std::size_t sheet = indexOf(frames.sheets[frame]);
-      frames.turns[frame] = movedFrame(frames.turns[frame], deformations[sheet], normals[sheet]);
+      for (std::vector<glm::quat>* turns : { &frames.turns, &frames.otherTurns })
+      {
+        (*turns)[frame] = movedFrame((*turns)[frame], deformations[sheet], normals[sheet]);
+      }
     });
 }
 

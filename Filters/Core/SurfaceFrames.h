@@ -25,11 +25,20 @@ namespace hachure
 
 struct SurfaceFrames
 {
-  std::vector<glm::ivec3> corners;  // of every triangle: the frames at its corners; -1: no chart
-  std::vector<std::int32_t> points; // of every frame: its mesh point
-  std::vector<glm::quat> turns;     // of every frame: from the frame's to model coordinates
-  std::vector<std::int32_t> sheets; // of every frame: those of one number share their normal
+  std::vector<glm::ivec3> corners;   // of every triangle: the frames at its corners; -1: no chart
+  std::vector<std::int32_t> points;  // of every frame: its mesh point
+  std::vector<glm::quat> turns;      // of every frame: from the frame's to model coordinates
+  std::vector<std::int32_t> sheets;  // of every frame: those of one number share their normal
+  std::vector<glm::quat> otherTurns; // of every frame: as charts of the other kind have it
+  std::vector<std::uint8_t> chartsDown; // of every chart its kind: 1 where it faces down
 };
+
+// Whether the frames of a triangle are not those of a chart that it reaches into.
+inline bool areOtherFrames(const SurfaceFrames& frames, std::int32_t ownChart, std::int32_t chart)
+{
+  return frames.chartsDown[static_cast<std::size_t>(ownChart)] !=
+    frames.chartsDown[static_cast<std::size_t>(chart)];
+}
 
 constexpr double defaultFeatureAngle = 0.5235987755982988; // radians: 30 degrees
 

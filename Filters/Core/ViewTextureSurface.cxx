@@ -15,16 +15,17 @@ namespace hachure
 namespace
 {
 // Inside a triangle: see SurfaceFrames.h.
-glm::quat turnAt(const SurfaceFrames& frames, const NodePlace& place)
+glm::quat turnAt(const SurfaceFrames& frames, const NodePlace& place, bool other)
 {
+  const std::vector<glm::quat>& turns = other ? frames.otherTurns : frames.turns;
   const glm::ivec3& corners = frames.corners[static_cast<std::size_t>(place.triangle)];
   const glm::vec3 weights(
     1.0f - place.weights.x - place.weights.y, place.weights.x, place.weights.y);
-  const glm::quat first = frames.turns[static_cast<std::size_t>(corners.x)];
+  const glm::quat first = turns[static_cast<std::size_t>(corners.x)];
   glm::quat sum = weights.x * first;
   for (int corner = 1; corner < 3; ++corner)
   {
-    const glm::quat& turn = frames.turns[static_cast<std::size_t>(corners[corner])];
+    const glm::quat& turn = turns[static_cast<std::size_t>(corners[corner])];
     sum = sum + (glm::dot(first, turn) < 0.0f ? -weights[corner] : weights[corner]) * turn;
   }
   const float length = glm::length(sum);
@@ -60,6 +61,15 @@ void ViewTextureSurface::checkInput(const SurfaceFrames& frames) const
     throw std::invalid_argument("frames.corners: " + std::to_string(frames.corners.size()) +
       " values for " + std::to_string(count) + " triangles");
   }
+  if (frames.otherTurns.size() != frames.turns.size() ||
+    frames.chartsDown.size() != this->cells.charts.size())
+  {
+    throw std::invalid_argument(
+      "frames.otherTurns, chartsDown: " + std::to_string(frames.otherTurns.size()) + " and " +
+      std::to_string(frames.chartsDown.size()) + " values for " +
+      std::to_string(frames.turns.size()) + " frames and " +
+      std::to_string(this->cells.charts.size()) + " charts");
+  }
   const auto frameCount = static_cast<int>(frames.turns.size());
   for (std::size_t triangle = 0; triangle < count; ++triangle)
   {
@@ -79,13 +89,21 @@ void ViewTextureSurface::placeNodes(const SurfaceFrames& frames)
 {
   const std::vector<NodePlace> nodePlaceList = nodePlaces(this->mesh(), this->cells);
   this->turns.assign(nodePlaceList.size(), glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
-  parallelFor(static_cast<std::int64_t>(nodePlaceList.size()),
+  parallelFor(static_cast<std::int64_t>(this->cells.charts.size()),
     [&](std::int64_t i)
     {
-      const NodePlace& place = nodePlaceList[static_cast<std::size_t>(i)];
-      if (place.triangle >= 0)
+      const auto chart = static_cast<std::size_t>(i);
+      for (auto node = static_cast<std::size_t>(this->cells.firstNode[chart]);
+           node < static_cast<std::size_t>(this->cells.firstNode[chart + 1]); ++node)
       {
-        this->turns[static_cast<std::size_t>(i)] = turnAt(frames, place);
+        const NodePlace& place = nodePlaceList[node];
+        if (place.triangle >= 0)
+        {
+          const std::int32_t own =
+            this->cells.chartOfTriangle[static_cast<std::size_t>(place.triangle)];
+          this->turns[node] =
+            turnAt(frames, place, areOtherFrames(frames, own, static_cast<std::int32_t>(chart)));
+        }
       }
     });
   this->places.resize(this->layers.size());

@@ -12,6 +12,7 @@
 namespace
 {
 constexpr int texelsOfRecord = 2;
+constexpr int texelsOfFrame = 3;
 constexpr int components = 4;
 
 std::vector<glm::vec4> RecordTexels(const hachure::TriangleRuns& runs,
@@ -32,7 +33,8 @@ std::vector<glm::vec4> RecordTexels(const hachure::TriangleRuns& runs,
   return texels;
 }
 
-std::vector<glm::vec4> ChartTexels(const hachure::SurfaceCells& cells)
+std::vector<glm::vec4> ChartTexels(
+  const hachure::SurfaceCells& cells, const hachure::SurfaceFrames& frames)
 {
   std::vector<glm::vec4> texels;
   texels.reserve(texelsOfRecord * cells.charts.size());
@@ -45,8 +47,8 @@ std::vector<glm::vec4> ChartTexels(const hachure::SurfaceCells& cells)
     const int above = std::max(chart.level, -1) + 1; // a level that is divided
     const std::int64_t divided = hachure::firstNodeOf(cells, i, above) -
       hachure::glsl::chartNodesBelow(hachure::subdivisionsOf(chart, above));
-    texels.emplace_back(
-      static_cast<float>(cells.firstNode[i]), static_cast<float>(divided), 0.0f, 0.0f);
+    texels.emplace_back(static_cast<float>(cells.firstNode[i]), static_cast<float>(divided),
+      static_cast<float>(frames.chartsDown[i]), 0.0f);
   }
   return texels;
 }
@@ -109,7 +111,7 @@ void ViewTextureBuffers::UploadCells(vtkOpenGLRenderWindow* window,
       " nodes of cells; expected at most " + std::to_string(mostWholeNumbers));
   }
   this->Triangles.Upload(window, RecordTexels(runs, cells, frames), components);
-  this->Charts.Upload(window, ChartTexels(cells), components);
+  this->Charts.Upload(window, ChartTexels(cells, frames), components);
 }
 
 void ViewTextureBuffers::UploadFrames(vtkOpenGLRenderWindow* window,
@@ -117,13 +119,15 @@ void ViewTextureBuffers::UploadFrames(vtkOpenGLRenderWindow* window,
   const glm::dvec3& origin)
 {
   std::vector<glm::vec4> texels;
-  texels.reserve(2 * frames.turns.size());
+  texels.reserve(texelsOfFrame * frames.turns.size());
   for (std::size_t i = 0; i < frames.turns.size(); ++i)
   {
     const glm::dvec3 place = positions[static_cast<std::size_t>(frames.points[i])] - origin;
-    const glm::quat& turn = frames.turns[i];
     texels.emplace_back(glm::vec3(place), 0.0f);
-    texels.emplace_back(turn.x, turn.y, turn.z, turn.w);
+    for (const glm::quat& turn : { frames.turns[i], frames.otherTurns[i] })
+    {
+      texels.emplace_back(turn.x, turn.y, turn.z, turn.w);
+    }
   }
   this->Frames.Upload(window, texels, components);
 }
@@ -153,7 +157,7 @@ void ViewTextureBuffers::UploadNothing(vtkOpenGLRenderWindow* window)
   // One triangle of no chart.
   const std::vector<glm::vec4> record = { glm::vec4(0.0f), { 0.0f, 0.0f, 0.0f, -1.0f } };
   this->Triangles.Upload(window, record, components);
-  this->Frames.Upload(window, std::vector<glm::vec4>(2, glm::vec4(0.0f)), components);
+  this->Frames.Upload(window, std::vector<glm::vec4>(texelsOfFrame, glm::vec4(0.0f)), components);
   this->Charts.Upload(window, std::vector<glm::vec4>(2, glm::vec4(0.0f)), components);
   this->UploadColors(window, {});
 }

@@ -3,8 +3,8 @@
 // HASDEPENDENT and HASINDEPENDENT: which colours there are.
 
 uniform samplerBuffer hachureCellTriangles@; // of every record: frames at the corners, 1 where another one follows; packed places of the corners, chart
-uniform samplerBuffer hachureCellFrames@;    // of every frame: position about hachurePatchOrigin; turn
-uniform samplerBuffer hachureCellCharts@;    // of every chart: neighbours, first level; first node of level 0 and, less those below, of the levels above the first
+uniform samplerBuffer hachureCellFrames@;    // of every frame: position about hachurePatchOrigin; turn; turn in charts of the other kind
+uniform samplerBuffer hachureCellCharts@;    // of every chart: neighbours, first level; first node of level 0 and, less those below, of the levels above the first; its kind
 uniform sampler2D hachureDependent@;   // squares of directions, see ViewTextureColors.h
 uniform sampler2D hachureIndependent@; // colours of nodes
 uniform vec4 hachureCellX@; // rows of the matrix from hachureRunPoint to logical pixels times w (X, Y), and w
@@ -76,9 +76,9 @@ void hachureFindTriangle@(out vec4 corners, out vec4 places, out vec3 weights)
   {
     vec4 tried = texelFetch(hachureCellTriangles@, 2 * record);
     vec3 place = placeInCorners(hachureRunPoint,
-      texelFetch(hachureCellFrames@, 2 * int(tried.x)).xyz,
-      texelFetch(hachureCellFrames@, 2 * int(tried.y)).xyz,
-      texelFetch(hachureCellFrames@, 2 * int(tried.z)).xyz);
+      texelFetch(hachureCellFrames@, 3 * int(tried.x)).xyz,
+      texelFetch(hachureCellFrames@, 3 * int(tried.y)).xyz,
+      texelFetch(hachureCellFrames@, 3 * int(tried.z)).xyz);
     bool better = place.z > found.z;
     best = better ? record : best;
     found = better ? place : found;
@@ -132,14 +132,15 @@ float hachureCoverage@(vec2 position, float tone)
   {
     return 0.0; // without area
   }
-  vec4 turn = mixedTurn(texelFetch(hachureCellFrames@, 2 * int(corners.x) + 1),
-    texelFetch(hachureCellFrames@, 2 * int(corners.y) + 1),
-    texelFetch(hachureCellFrames@, 2 * int(corners.z) + 1), weights);
   vec2 place = weights.x * unpackedPlace(places.x) + weights.y * unpackedPlace(places.y) +
     weights.z * unpackedPlace(places.z);
   int number = hachureFindChart@(int(places.w), place);
   vec4 chart = texelFetch(hachureCellCharts@, 2 * number);
   vec4 first = texelFetch(hachureCellCharts@, 2 * number + 1);
+  int kind = texelFetch(hachureCellCharts@, 2 * int(places.w) + 1).z == first.z ? 1 : 2;
+  vec4 turn = mixedTurn(texelFetch(hachureCellFrames@, 3 * int(corners.x) + kind),
+    texelFetch(hachureCellFrames@, 3 * int(corners.y) + kind),
+    texelFetch(hachureCellFrames@, 3 * int(corners.z) + kind), weights);
 
   vec3 toViewer = hachureViewer@.xyz - hachureViewer@.w * hachureRunPoint;
   vec2 square = HEMISPHEREMAP(normalize(turnedBack(turn, toViewer)));

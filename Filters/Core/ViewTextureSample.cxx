@@ -181,6 +181,11 @@ void checkFrames(const TriangleMesh& mesh, const SurfaceCells& cells, const Surf
   require(frames.corners.size() == mesh.triangles.size(),
     "frames.corners: " + std::to_string(frames.corners.size()) + " for " +
       std::to_string(mesh.triangles.size()) + " triangles");
+  require(
+    frames.others.size() == frames.turns.size() && frames.facesDown.size() == cells.charts.size(),
+    "frames.others, facesDown: " + std::to_string(frames.others.size()) + " and " +
+      std::to_string(frames.facesDown.size()) + " for " + std::to_string(frames.turns.size()) +
+      " frames and " + std::to_string(cells.charts.size()) + " charts");
   const auto count = static_cast<int>(frames.turns.size());
   for (std::size_t triangle = 0; triangle < frames.corners.size(); ++triangle)
   {
@@ -244,13 +249,14 @@ ViewTexturePlace viewTexturePlace(
   }
   const glm::vec3 weights(
     1.0f - place.weights.x - place.weights.y, place.weights.x, place.weights.y);
-  const glm::ivec3& corners = frames.corners[triangle];
+  const std::array<glm::vec2, 3>& places = cells.places[triangle];
+  const glm::vec2 own = weights.x * places[0] + weights.y * places[1] + weights.z * places[2];
+  const ChartPlace found = placeInside(cells, { chart, own });
+  const glm::ivec3 corners = cornerFrames(frames, triangle, chart, found.chart);
   const auto turnAt = [&](int corner)
   { return numbersOf(frames.turns[static_cast<std::size_t>(corners[corner])]); };
   const glm::vec4 turn = glsl::mixedTurn(turnAt(0), turnAt(1), turnAt(2), weights);
-  const std::array<glm::vec2, 3>& places = cells.places[triangle];
-  const glm::vec2 own = weights.x * places[0] + weights.y * places[1] + weights.z * places[2];
-  return { placeInside(cells, { chart, own }), glm::quat(turn.w, turn.x, turn.y, turn.z) };
+  return { found, glm::quat(turn.w, turn.x, turn.y, turn.z) };
 }
 
 glm::vec4 viewTextureColorAt(const SurfaceCells& cells, const ViewTextureColors& colors,

@@ -53,6 +53,14 @@ def image(values):
     return result
 
 
+def bytes_of(values):
+    """An image of 8 bits."""
+    result = image(values)
+    flat = values.reshape(-1, values.shape[2]).astype(numpy.uint8)
+    result.GetPointData().SetScalars(numpy_to_vtk(flat, deep=1))
+    return result
+
+
 def metrics_of_waves():
     """All that is measured of a moving pattern."""
     y, x = numpy.mgrid[0:150, 0:160].astype(float)
@@ -110,12 +118,20 @@ def digests():
     classic.SetInputConnection(surface.GetOutputPort())
     classic.SetNumberOfPoints(50000)
     classic.SetOrderToClassic()
+    textured = hachure.vtkViewDependentTexture()
+    textured.SetInputConnection(surface.GetOutputPort())
+    textured.SetCamera(camera_at(0.0))
+    values = numpy.random.default_rng(1).integers(0, 256, (100, 100, 4))
+    for azimuth in (0, 20, 180):
+        textured.GetViews().AddView("view", camera_at(azimuth), bytes_of(values))
+    textured.GetViews().SetViewKind(0, hachure.vtkTextureViews.DEPENDENT)
     results = []
     for filter_ in (
             sampler, tracker, pattern, paint, table, patches, blend, directions, noise,
-            stipples, classic, metrics_of_waves()):
+            stipples, classic, textured, metrics_of_waves()):
         filter_.Update()
         results.append(filter_.GetClassName() + " " + digest(filter_.GetOutput()))
+    results += ["%d %s" % (i, digest(textured.GetOutput(i))) for i in (1, 2)]
     return "\n".join(results)
 
 

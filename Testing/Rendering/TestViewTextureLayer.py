@@ -139,6 +139,20 @@ def test_a_dependent_view_is_seen_from_near_its_camera_only():
     assert all(b >= a - 3 for a, b in zip(shares, shares[1:])), shares
 
 
+def test_its_own_camera_sees_a_dependent_view_everywhere():
+    """Also where charts that face up and down meet, whose directions are stored in other frames."""
+    layer = view_layer(finest=3)
+    add_view(layer, (0.0, 0.0, 3.0), even((250, 10, 10), 200), True, 60.0)
+    for side in (3.0, -3.0):
+        add_view(layer, (0.0, 0.0, side), even((10, 10, 250), 200))
+    actor, renderer, window = stage(scene.sphere(40, 1.0), layer, (0.0, 0.0, 5.0))
+    pixels = scene.draw(window).astype(int)
+    y, x = numpy.mgrid[0:SIZE[1], 0:SIZE[0]] - (SIZE[0] - 1) / 2
+    inside = numpy.hypot(x, y) < 85  # of a radius of 97
+    print("blue at most", pixels[inside, 2].max())
+    assert pixels[inside, 0].min() > 235 and pixels[inside, 2].max() < 90
+
+
 def test_a_view_from_afar_replaces_the_near_one():
     layer = view_layer(finest=5)
     add_view(layer, (0.0, 0.0, 3.0), even((200, 30, 30), 128))

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TextureViewActors.h"
 
+#include "RegionLineOffset.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -9,6 +10,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkProperty.h"
+#include "vtkShaderProperty.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
 
@@ -88,6 +90,35 @@ LinesMark::LinesMark()
   this->mapper->SetInputData(this->data);
   this->actor->SetMapper(this->mapper);
   this->actor->GetProperty()->LightingOff();
+}
+
+//------------------------------------------------------------------------------
+RegionsMark::RegionsMark()
+{
+  constexpr float width = 2.0f; // pixels
+  this->mapper->SetInputConnection(this->filter->GetOutputPort(1));
+  this->mapper->ScalarVisibilityOff();
+  this->actor->SetMapper(this->mapper);
+  this->actor->GetProperty()->LightingOff();
+  this->actor->GetProperty()->SetColor(0.0, 0.0, 0.0);
+  this->actor->GetProperty()->SetLineWidth(width);
+  this->actor->GetShaderProperty()->AddVertexShaderReplacement(
+    "//VTK::PositionVC::Impl", true, RegionLineOffset, false);
+  this->actor->VisibilityOff();
+}
+
+//------------------------------------------------------------------------------
+void RegionsMark::setSurface(vtkPolyData* surface)
+{
+  this->filter->SetInputData(surface);
+  this->actor->SetVisibility(surface != nullptr);
+}
+
+//------------------------------------------------------------------------------
+void RegionsMark::place(vtkTextureViews* views, vtkMatrix4x4* modelToWorld)
+{
+  this->filter->SetViews(views);
+  this->actor->SetUserMatrix(modelToWorld);
 }
 
 //------------------------------------------------------------------------------

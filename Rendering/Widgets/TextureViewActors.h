@@ -13,12 +13,15 @@
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
 #include "vtkTimeStamp.h"
+#include "vtkViewDependentTexture.h"
 
 #include <array>
 #include <string>
 #include <vector>
 
 class vtkImageData;
+class vtkMatrix4x4;
+class vtkTextureViews;
 
 // The actors that draw views, the borders of their ranges and blend points. World coordinates.
 namespace hachure
@@ -74,6 +77,22 @@ public:
 
 private:
   vtkNew<vtkSphereSource> source;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+};
+
+// The outlines of what views cover of a surface.
+class RegionsMark
+{
+public:
+  RegionsMark();
+  // null: there are none.
+  void setSurface(vtkPolyData* surface);
+  void place(vtkTextureViews* views, vtkMatrix4x4* modelToWorld);
+  vtkActor* prop() const { return this->actor; }
+
+private:
+  vtkNew<vtkViewDependentTexture> filter;
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
 };

@@ -57,6 +57,13 @@ vtkMatrix4x4* vtkTextureViewsRepresentation::GetModelToWorld()
 }
 
 //------------------------------------------------------------------------------
+void vtkTextureViewsRepresentation::SetSurface(vtkPolyData* surface)
+{
+  this->Internal->regions.setSurface(surface);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkTextureViewsRepresentation::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();

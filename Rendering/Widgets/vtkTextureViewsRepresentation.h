@@ -27,6 +27,7 @@
 #include <memory> // for the marks
 
 class vtkMatrix4x4;
+class vtkPolyData;
 class vtkPropCollection;
 class vtkTextureViews;
 
@@ -60,6 +61,13 @@ public:
   virtual void SetModelToWorld(vtkMatrix4x4* matrix);
   virtual vtkMatrix4x4* GetModelToWorld();
   ///@}
+
+  /**
+   * The surface, in the coordinates of the views, on which the regions that views cover are
+   * outlined (figure 6 of the paper); see vtkViewDependentTexture, which does it anew after every
+   * change of the views. Null, the default: none.
+   */
+  virtual void SetSurface(vtkPolyData* surface);
 
   ///@{
   /**

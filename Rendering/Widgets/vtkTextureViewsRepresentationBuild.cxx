@@ -108,6 +108,7 @@ void vtkTextureViewsRepresentation::BuildRepresentation()
   internal.border.prop()->VisibilityOff();
   if (this->MakeScene())
   {
+    internal.regions.place(internal.views, internal.modelToWorld);
     this->BuildViews();
     this->BuildRange();
     this->BuildBlendPoints();
@@ -268,6 +269,7 @@ std::vector<vtkProp*> vtkTextureViewsRepresentation::Internals::allProps() const
     all.push_back(mark->prop());
   }
   all.push_back(this->border.prop());
+  all.push_back(this->regions.prop());
   for (const auto& mark : this->blendMarks)
   {
     all.insert(all.end(), { mark->handle.prop(), mark->arrow(), mark->label.prop() });

@@ -36,6 +36,7 @@ struct vtkTextureViewsRepresentation::Internals
   std::vector<std::unique_ptr<hachure::ViewMark>> viewMarks;
   std::vector<std::unique_ptr<hachure::BlendMark>> blendMarks;
   std::vector<std::unique_ptr<hachure::HandleMark>> extremeMarks;
+  hachure::RegionsMark regions;
   hachure::LinesMark border;
   std::vector<vtkProp*> props; // of all marks that are drawn
   std::vector<vtkProp*> allProps() const;

@@ -45,6 +45,22 @@ def corners(scene, view, size):
             for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
 
 
+def test_regions():
+    """The border between what two views cover is a line on the surface."""
+    scene = Scene(new_views(), TRANSFORM)
+    for x in (-3.0, 3.0):
+        scene.views.AddView("", camera((x, 0.0, 3.0)), flat_image((200, 200, 200, 255), 64, 64))
+    scene.drawn.ShowPicturesOff()
+    scene.drawn.ShowLabelsOff()
+    scene.renderer.ResetCamera()
+    without = scene.pixels()
+    scene.drawn.SetSurface(scene.actor.GetMapper().GetInput())
+    lines = (scene.pixels() < 30).all(-1) & ~(without < 30).all(-1)
+    assert lines.sum() > 20, lines.sum()
+    scene.drawn.SetSurface(None)
+    assert (scene.pixels() == without).all()
+
+
 def test_pictures():
     """They have the colours of the image, and are transparent where it or its mask is."""
     for transform, parallel in ((None, False), (TRANSFORM, True)):

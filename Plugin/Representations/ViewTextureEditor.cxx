@@ -3,6 +3,7 @@
 #include "ViewTextureEditor.h"
 
 #include "vtkCamera.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVSession.h"
@@ -78,7 +79,8 @@ void ViewTextureEditor::Place(vtkTextureViews* views, vtkProp3D* surface)
     this->ModelToWorld->DeepCopy(matrix);
   }
   this->Widget->SetViews(views);
-  if (double* const bounds = surface->GetBounds())
+  double* const bounds = surface->GetBounds();
+  if (bounds && vtkMath::AreBoundsInitialized(bounds))
   {
     this->Marks->PlaceWidget(bounds);
   }

@@ -244,7 +244,9 @@ int vtkViewTextureRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
   const int processed = this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
-  if (processed && request == vtkPVView::REQUEST_RENDER())
+  // The view asks for bounds between the two; where the surface is may be known only afterwards.
+  if (processed &&
+    (request == vtkPVView::REQUEST_UPDATE() || request == vtkPVView::REQUEST_RENDER()))
   {
     this->ShowViews();
   }

@@ -149,5 +149,5 @@ outputs = [
     ).stdout
     for threads in ("1", "8")
 ]
-assert outputs[0].count("\n") == 12, outputs[0]
+assert outputs[0].count("\n") == 15, outputs[0]
 assert outputs[0] == outputs[1], "\n".join(outputs)

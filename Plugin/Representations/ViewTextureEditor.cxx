@@ -88,13 +88,14 @@ void ViewTextureEditor::Place(vtkTextureViews* views, vtkProp3D* surface)
 
 //------------------------------------------------------------------------------
 void ViewTextureEditor::Show(
-  vtkTextureViews* views, vtkProp3D* surface, const std::string& manifest)
+  vtkTextureViews* views, vtkProp3D* surface, vtkDataObject* regions, const std::string& manifest)
 {
   if (!this->View)
   {
     return;
   }
   this->Place(views, surface);
+  this->Marks->SetSurface(regions);
   this->Widget->SetManifestFileName(manifest);
   this->Marks->VisibilityOn();
   this->Enable(this->View->GetInteractor() != nullptr && ViewTextureEditor::IsAlone());

@@ -12,6 +12,7 @@
 
 #include <string>
 
+class vtkDataObject;
 class vtkMatrix4x4;
 class vtkPVRenderView;
 class vtkProp3D;
@@ -35,7 +36,9 @@ public:
 
   /// Shows views around the surface that an actor draws. Where the view has an interactor and no
   /// other process draws them, they are edited by mouse and keys, and saved to this manifest.
-  void Show(vtkTextureViews* views, vtkProp3D* surface, const std::string& manifest);
+  /// What they cover of `regions` is outlined; null: nothing is.
+  void Show(vtkTextureViews* views, vtkProp3D* surface, vtkDataObject* regions,
+    const std::string& manifest);
 
   /// Shows them no more.
   void Hide();

@@ -3,6 +3,7 @@
 #include "vtkViewTextureRepresentation.h"
 
 #include "ViewTextureEditor.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
@@ -231,7 +232,10 @@ void vtkViewTextureRepresentation::ShowViews()
 {
   if (this->ViewTextureShowViews && this->TakeViews())
   {
-    this->Editor->Show(this->Views, this->Actor, this->FileToSave());
+    vtkViewTextureLayer* const layer = this->FirstLayer();
+    const bool outlined = layer && layer->GetDisplay() == vtkViewTextureLayer::COVERAGE;
+    this->Editor->Show(this->Views, this->Actor,
+      outlined ? this->Mapper->GetInputDataObject(0, 0) : nullptr, this->FileToSave());
   }
   else
   {

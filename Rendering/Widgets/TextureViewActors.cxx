@@ -108,10 +108,15 @@ RegionsMark::RegionsMark()
 }
 
 //------------------------------------------------------------------------------
-void RegionsMark::setSurface(vtkPolyData* surface)
+bool RegionsMark::setSurface(vtkDataObject* surface)
 {
-  this->filter->SetInputData(surface);
+  if (surface == this->filter->GetInputDataObject(0, 0))
+  {
+    return false;
+  }
+  this->filter->SetInputDataObject(surface);
   this->actor->SetVisibility(surface != nullptr);
+  return true;
 }
 
 //------------------------------------------------------------------------------

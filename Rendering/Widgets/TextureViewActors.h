@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkImageData;
 class vtkMatrix4x4;
 class vtkTextureViews;
@@ -86,8 +87,8 @@ class RegionsMark
 {
 public:
   RegionsMark();
-  // null: there are none.
-  void setSurface(vtkPolyData* surface);
+  // Null: there are none. Whether it is another one.
+  bool setSurface(vtkDataObject* surface);
   void place(vtkTextureViews* views, vtkMatrix4x4* modelToWorld);
   vtkActor* prop() const { return this->actor; }
 

@@ -57,10 +57,12 @@ vtkMatrix4x4* vtkTextureViewsRepresentation::GetModelToWorld()
 }
 
 //------------------------------------------------------------------------------
-void vtkTextureViewsRepresentation::SetSurface(vtkPolyData* surface)
+void vtkTextureViewsRepresentation::SetSurface(vtkDataObject* surface)
 {
-  this->Internal->regions.setSurface(surface);
-  this->Modified();
+  if (this->Internal->regions.setSurface(surface))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

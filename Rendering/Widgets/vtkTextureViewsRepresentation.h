@@ -26,8 +26,8 @@
 
 #include <memory> // for the marks
 
+class vtkDataObject;
 class vtkMatrix4x4;
-class vtkPolyData;
 class vtkPropCollection;
 class vtkTextureViews;
 
@@ -63,11 +63,11 @@ public:
   ///@}
 
   /**
-   * The surface, in the coordinates of the views, on which the regions that views cover are
-   * outlined (figure 6 of the paper); see vtkViewDependentTexture, which does it anew after every
-   * change of the views. Null, the default: none.
+   * The surface, a vtkPolyData or a composite of such, in the coordinates of the views, on which
+   * the regions that views cover are outlined (figure 6 of the paper); see vtkViewDependentTexture,
+   * which does it anew after every change of the views. Null, the default: none.
    */
-  virtual void SetSurface(vtkPolyData* surface);
+  virtual void SetSurface(vtkDataObject* surface);
 
   ///@{
   /**

@@ -39,6 +39,10 @@ STIPPLE_POP = 1.4
 STIPPLE_CONTRAST = 0.05
 STIPPLE_SLOPE = 0.35  # where the surface turns away, dots join to short lines, which are coarser
 STIPPLE_FLICKER = 0.015
+# View-dependent textures belong to the surface like texture mapping. Where pictures differ from side to side, they
+# fade over into each other evenly.
+VIEW_SLIDE, VIEW_BOIL, VIEW_POP = 0.01, 0.002, 2.0
+VIEW_CONTRAST = {"view": 0.7, "view fade": 0.45}  # at least: pictures from several sides are mixed
 
 
 def report(*arguments):
@@ -182,6 +186,17 @@ def check_stipples(rows):
     assert stipple_values(rows, "protein", "deform")["SlideRatio"] <= STIPPLE_DEFORMED_SLIDE
 
 
+def check_views(rows):
+    """They stick to the surface and do not jump from view to view."""
+    for field, contrast in VIEW_CONTRAST.items():
+        for motion in ("translate", "rotate", "zoom", "roll"):
+            found = {metric: value(rows, motion, field, metric)
+                     for metric in ("SlideRatio", "BoilLargest", "Pop", "Contrast")}
+            print(field, motion, found)
+            assert found["SlideRatio"] <= VIEW_SLIDE and found["BoilLargest"] <= VIEW_BOIL, (field, motion, found)
+            assert found["Pop"] <= VIEW_POP and found["Contrast"] >= contrast, (field, motion, found)
+
+
 def check_flicker(rows):
     """The tone of places on the surface: steady where the pattern sticks to it."""
     for motion in ("translate", "rotate", "zoom"):
@@ -206,6 +221,7 @@ check_octave(rows)
 check_noise(rows)
 check_calm(rows)
 check_stipples(rows)
+check_views(rows)
 check_flicker(rows)
 assert "bidirectional advection" in page and "not implemented" in page, "what is missing is named"
 

@@ -41,6 +41,8 @@ REDUCED = (
     {"scene": ["plane"], "motion": ["rotate", "zoom", "approach"], **STIPPLES, "field": ["stipple"]},
     {"scene": ["sphere"], "motion": ["octave"], **STIPPLES, "field": ["stipple"]},
     {"scene": ["protein"], "motion": ["deform"], **STIPPLES, "field": ["stipple"]},
+    {"scene": ["sphere"], "motion": ["translate", "rotate", "zoom", "roll"],
+     "field": ["view", "view fade"], **FLAT_NOISE},
 )
 # Strokes tell little more than noise: scenes that show them all the same.
 STROKE_SCENES = ("sphere", "skull")
@@ -64,12 +66,20 @@ def find_vtk():
         raise SystemExit("report.py: %s; put the package of the build on PYTHONPATH" % error)
 
 
+def style_of(studio, filmed, key):
+    import scenes
+    import views
+    if key["field"] not in scenes.PAINTED:
+        return scenes.new_style(key["field"], key["ink"], key["lighting"])
+    return views.style_of(studio, filmed["states"][0], scenes.PAINTED[key["field"]])
+
+
 def draw_clip(studio, filmed, key):
     """One clip: its names, values, steps and pictures for the page."""
     import clips
     import pictures
     import scenes
-    style = scenes.new_style(key["field"], key["ink"], key["lighting"])
+    style = style_of(studio, filmed, key)
     states = scenes.prepared(key["field"], filmed["states"])
     frames = studio.inks(states, filmed["cameras"], style, filmed["lights"])
     motions = filmed["motions"]
@@ -113,10 +123,15 @@ def names_of(scene, motion, chosen):
     import scenes
     lightings = [name for name in chosen["lighting"] if motion not in scenes.LIGHTS or name == "lit"]
     for field in chosen["field"]:
+        painted = field in scenes.PAINTED
+        if painted and scene not in scenes.PAINTED_SCENES:
+            continue
         inks = [ink for ink in chosen["ink"] if ink in scenes.inks_of(field)]
         if scene not in STROKE_SCENES:
             inks = [ink for ink in inks if ink not in scenes.STROKES]
-        yield from itertools.product((field,), inks, lightings)
+        # Painted ones have the light of their pictures.
+        shown = [lighting for lighting in lightings if lighting == "unlit" or not painted]
+        yield from itertools.product((field,), inks, shown)
 
 
 def draw(studio, chosen, frames, needed=()):
@@ -147,7 +162,7 @@ def rows(clips):
 
 def choices():
     import scenes
-    fields = [*scenes.FIELDS, *scenes.MAKERS]
+    fields = [*scenes.FIELDS, *scenes.MAKERS, *scenes.PAINTED]
     lists = (scenes.SCENES, scenes.MOTIONS, fields, scenes.INKS, scenes.LIGHTINGS)
     return {axis: list(names) for axis, names in zip(AXES, lists)}
 
@@ -177,6 +192,9 @@ EXPLANATION = (
     ("spot", "a picture of a fibre in place of the kernel"),
     ("stipple", "dots at points of the surface, the more the darker (frame-coherent stippling)"),
     ("stipple size", "larger dots, which grow with the tone"),
+    ("view", "pictures of the field texture from twelve sides, put together on the surface (view-dependent "
+     "texture), for all cameras and, before them, for those nearby"),
+    ("view fade", "the same, with another noise from every side for the cameras nearby"),
     "People ranked such methods by how well patterns move with the surface: texture mapping and solid "
     "textures first, then dynamic 2D patterns and bidirectional advection, then the shower door (Benard "
     "et al. 2010, section 5). The slide ratio should rank them likewise; bidirectional advection is not "

@@ -220,11 +220,11 @@ def prepared(field, states):
     return PREPARATIONS.get(field, lambda same: same)(states)
 
 
-def noise(layer, size=256):
+def noise(layer, size=256, seed=1):
     """Isotropic noise in a ring of frequencies, without a seam: slides show in every direction."""
     frequency = numpy.hypot(*numpy.meshgrid(*(numpy.fft.fftfreq(size),) * 2))
     ring = numpy.exp(-0.5 * ((frequency * WAVELENGTH - 1) / 0.2) ** 2)
-    white = numpy.random.default_rng(1).normal(size=(size, size))
+    white = numpy.random.default_rng(seed).normal(size=(size, size))
     field = numpy.fft.ifft2(numpy.fft.fft2(white) * ring).real
     grey = 255 * (field - field.min()) / numpy.ptp(field)
     image = vtkImageData()
@@ -290,6 +290,11 @@ STIPPLES = {
     "stipple size": stipples(Carrier=hachure.vtkStippleLayer.SIZE, Size=WAVELENGTH),
 }
 
+# Fields that are painted from all around, see views.py: whether pictures differ from one side to the next.
+# Only of single objects, as each is painted alone.
+PAINTED = {"view": False, "view fade": True}
+PAINTED_SCENES = ("sphere", "ellipsoid", "skull", "disk_out_ref", "protein", "blade")
+
 # Fields that make their ink themselves: for every ink a function that makes a layer.
 MAKERS = {**NOISES, **STIPPLES}
 # Dots tell as much as noise does of how these move: the two extremes, to compare.
@@ -308,7 +313,20 @@ def inks_of(field):
     """What a field can be drawn in."""
     if field in MAKERS:
         return list(MAKERS[field])
+    if field in PAINTED:
+        return ["noise"]
     return [ink for ink in INKS if ink != "stipple" or field in DOTTED]
+
+
+def texture_style(seed=1):
+    """What is painted: noise of even tone on the surface."""
+    layer = hachure.vtkImagePatternLayer()
+    noise(layer, seed=seed)
+    FIELDS["texture"](layer)
+    LIGHTINGS["unlit"](layer.GetTone())
+    style = hachure.vtkPatternStyle()
+    style.AddLayer(layer)
+    return style
 
 
 def new_style(field, ink, lighting):

@@ -67,6 +67,15 @@ for figure in travelling patches elongated painting table skulls landscape engra
   PYTHONPATH="$package" /usr/bin/python3 "Examples/Figures/$figure.py" "$gallery/$figure.png"
   echo "$gallery/$figure.png"
 done
+# The photographs are of the skull even where the scan is that fetch.sh fetches.
+for figure in view_distance view_photographs view_layers; do
+  PYTHONPATH="$package" /usr/bin/python3 "Examples/Figures/$figure.py" "$gallery/$figure.png" skull
+  echo "$gallery/$figure.png"
+done
+for row in 0 1; do
+  PYTHONPATH="$package" /usr/bin/python3 Examples/Figures/view_scales.py "$gallery/view_scales-$row.png" "$row"
+  echo "$gallery/view_scales-$row.png"
+done
 for row in 0 1 2; do
   PYTHONPATH="$package" /usr/bin/python3 Examples/Figures/noise_styles.py "$gallery/noise_styles-$row.png" "$row"
   echo "$gallery/noise_styles-$row.png"

@@ -123,6 +123,30 @@ ViewCellColors viewCellColors(const ViewTextureSurface& surface, const ViewCover
   return view;
 }
 
+void weighByFacing(
+  const ViewTextureSurface& surface, const TextureView& view, ViewCellColors& colors)
+{
+  constexpr float leastCosine = 0.03f; // where no other view sees it, it counts all the same
+  const glm::dvec3 along = view.eye - view.focus;
+  for (ViewCellColors::Level& level : colors.levels)
+  {
+    level.weights.resize(level.seen.cells.size());
+    parallelFor(static_cast<std::int64_t>(level.weights.size()),
+      [&](std::int64_t i)
+      {
+        const std::int32_t cell = level.seen.cells[static_cast<std::size_t>(i)];
+        const glm::dvec3 toEye =
+          view.parallel ? along : view.eye - surface.placeOfCell(level.number, cell);
+        const glm::vec3 normal =
+          surface.turnOfCell(level.number, cell) * glm::vec3(0.0f, 1.0f, 0.0f);
+        const double length = glm::length(toEye);
+        const float cosine = length > 0.0 ? glm::dot(normal, glm::vec3(toEye / length)) : 1.0f;
+        const float facing = std::max(std::abs(cosine), leastCosine);
+        level.weights[static_cast<std::size_t>(i)] = facing * facing;
+      });
+  }
+}
+
 CellColors spreadColors(const CellLayer& layer, const CellColors& from,
   const std::vector<std::uint8_t>& closed, int rings)
 {

@@ -30,6 +30,9 @@ struct ViewCellColors
     int number = 0;
     float share = 0.0f; // of the view's depth
     CellColors seen;    // ascending
+    // How much they count beside other views, more than 0: seen from aside less. Empty: all alike.
+    std::vector<float> weights;
+    float weightAt(std::size_t i) const { return this->weights.empty() ? 1.0f : this->weights[i]; }
   };
   std::vector<Level> levels;
   // Of the places of cells that the mask leaves, by its weight, and the largest distance of such a
@@ -54,6 +57,11 @@ CellColors spreadColors(const CellLayer& layer, const CellColors& from,
 
 // How far colours are spread (section 6.2): at the finest level that has any over half the size of
 // a cell of level 0, which are as many rings as it has cells there, at others over one ring.
+// Weights of the cells of a view by how squarely it sees them, so that it goes over into others
+// where it ends instead of at an edge.
+void weighByFacing(
+  const ViewTextureSurface& surface, const TextureView& view, ViewCellColors& colors);
+
 inline int spreadRings(int level, int finestWithColors)
 {
   return level == finestWithColors ? 1 << level : 1;

@@ -65,23 +65,22 @@ ViewContributions viewContributions(
       {
         for (std::size_t i = 0; colors != nullptr && i < colors->cells.size(); ++i)
         {
-          body(static_cast<std::size_t>(colors->cells[i]), static_cast<std::int32_t>(view),
-            colors->colors[i]);
+          const float weight = colors == &spread[view] ? 1.0f : level->weightAt(i);
+          body(static_cast<std::size_t>(colors->cells[i]),
+            ViewContribution{ static_cast<std::int32_t>(view), weight, colors->colors[i] });
         }
       }
     }
   };
-  forAll([&](std::size_t cell, std::int32_t, const glm::vec4&) { ++found.first[cell + 1]; });
+  forAll([&](std::size_t cell, const ViewContribution&) { ++found.first[cell + 1]; });
   for (std::size_t cell = 1; cell < found.first.size(); ++cell)
   {
     found.first[cell] += found.first[cell - 1];
   }
   found.all.resize(static_cast<std::size_t>(found.first.back()));
   std::vector<std::int32_t> next(found.first.begin(), found.first.end());
-  forAll(
-    [&](std::size_t cell, std::int32_t view, const glm::vec4& color) {
-      found.all[static_cast<std::size_t>(next[cell]++)] = { view, color };
-    });
+  forAll([&](std::size_t cell, const ViewContribution& contribution)
+    { found.all[static_cast<std::size_t>(next[cell]++)] = contribution; });
   return found;
 }
 

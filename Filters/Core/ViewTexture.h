@@ -25,7 +25,8 @@ struct ViewTextureOptions
   bool propagateUp = true;
   // Shares of what is seen from some directions include the views' shares of depth, as in the
   // paper: at a depth between two levels a view is then mixed with what is seen from everywhere,
-  // even as seen by its own camera.
+  // even as seen by its own camera. Views also count alike however obliquely they see the surface,
+  // and end at an edge; else they count by the square of the cosine.
   bool classicShares = false;
 };
 

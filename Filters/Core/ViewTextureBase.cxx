@@ -56,7 +56,7 @@ BaseLevel mixViews(
       for (std::size_t i = 0; level.number == layer.number() && i < seen.cells.size(); ++i)
       {
         const auto cell = static_cast<std::size_t>(seen.cells[i]);
-        mixed.colors[cell] += level.share * seen.colors[i];
+        mixed.colors[cell] += level.share * level.weightAt(i) * seen.colors[i];
         mixed.known[cell] = 1;
       }
     }

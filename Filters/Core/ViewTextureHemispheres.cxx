@@ -208,7 +208,7 @@ void Builder::mixViews(
     {
       const float fade = scratch.fades[i];
       known[i] = static_cast<std::uint8_t>(known[i] | (fade > 0.0f ? 1 : 0));
-      scratch.sums[i] += depth * fade * contribution.color;
+      scratch.sums[i] += depth * fade * contribution.weight * contribution.color;
       scratch.shares[i] += share * fade;
     }
   }

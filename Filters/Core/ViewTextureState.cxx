@@ -142,6 +142,10 @@ bool ViewTexture::State::updateViews(const ProgressFn& progress)
         const glm::u8vec4 color = coverageColor(i);
         entry.colors = viewCellColors(
           this->surface, entry.coverage, entry.image, this->inCoverageColors ? &color : nullptr);
+        if (!this->options.classicShares)
+        {
+          weighByFacing(this->surface, entry.view, entry.colors);
+        }
         entry.hasColors = true;
       }
     }

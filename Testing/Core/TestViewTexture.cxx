@@ -137,6 +137,25 @@ TEST(ViewTexture, ViewsAtTwoDepthsShareALevel)
   forNodes(scene.cells, 3, [&](std::size_t node) { EXPECT_NEAR(shares[1][node], 0.75, 0.02); });
 }
 
+// By the square of the cosine, 1/4 at 60 degrees; in the paper all count alike.
+TEST(ViewTexture, ViewsFromAsideCountLess)
+{
+  for (const bool classic : { false, true })
+  {
+    ViewTextureOptions options;
+    options.classicShares = classic;
+    Textured scene = squareScene(options);
+    std::vector<TextureView> views(2, viewOfDepth(2.0));
+    views[1].eye = { 5.0 * std::sin(glm::radians(60.0)), 0.0, 2.5 };
+    scene.texture.setViews(views);
+    scene.setImage(0, views[0], plain(redPixel));
+    scene.setImage(1, views[1], plain(bluePixel));
+    const std::vector<std::vector<float>> shares = scene.texture.nodeShares();
+    forNodes(scene.cells, 2,
+      [&](std::size_t node) { EXPECT_NEAR(shares[1][node], classic ? 0.5 : 0.2, 0.002); });
+  }
+}
+
 TEST(ViewTexture, CellsHaveTheColoursOfTheImage)
 {
   Textured scene = squareScene();

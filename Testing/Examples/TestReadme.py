@@ -2,16 +2,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the README says is so: links, pictures, options, commands, the script and the style."""
 
+import os
 import re
 import shlex
+import subprocess
 
 import hachure
 import numpy
-from vtk import vtkWindowToImageFilter
+from vtk import vtkActor, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 from vtk.util.numpy_support import vtk_to_numpy
 
 import readme
-from rendering_program import draw, fresh_folder, picture
+from rendering_program import PROGRAM, draw, fresh_folder, picture
 
 LARGEST_PICTURE = 110e3
 
@@ -63,7 +65,7 @@ for line in commands:
     draw(*words, "--size", "64x48", "--supersample", "1", "--output", "frames")
 
 # The script: its lines are those of first_picture.py, and draw strokes.
-script = readme.block("python", "import hachure")
+script = readme.block("python", "vtkParametricBoy")
 whole = (readme.ROOT / "Examples/Python/first_picture.py").read_text(encoding="utf-8")
 for line in filter(None, script.splitlines()):
     assert line == "window.Render()" or line + "\n" in whole, line
@@ -78,6 +80,29 @@ pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 
 dark = pixels[height // 2].mean(axis=1) < 128
 light = pixels[height // 2].mean(axis=1) > 250
 assert dark.any() and light.any() and numpy.diff(light.astype(int)).astype(bool).sum() > 10
+
+# The views that the command writes are drawn by the script that reads them.
+program = os.path.join(os.path.dirname(PROGRAM), "hachure-views")
+skull = str(readme.ROOT / "Examples/Data/skull.vti")
+subprocess.run([program, skull, "--isovalue", "2.9", "--orbit", "6", "--size", "128x128", "--output", "views"],
+               check=True, timeout=200)
+names = {}
+exec(readme.block("python", "ReadManifest").replace("Examples/Data/skull.vti", skull), names)  # pylint: disable=exec-used
+assert names["mapper"].GetStyle().GetLayer(0).GetViews().GetNumberOfViews() == 6
+sheet = vtkRenderer()
+actor = vtkActor()
+actor.SetMapper(names["mapper"])
+sheet.AddActor(actor)
+sheet.SetBackground(0, 0, 1)
+window = vtkRenderWindow()
+window.AddRenderer(sheet)
+window.Render()
+grab.SetInput(window)
+grab.Update()
+image = grab.GetOutput()
+pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(-1, 3).astype(int)
+bone = pixels[pixels[:, 0] > 0]
+assert len(bone) > 0.1 * len(pixels) and (numpy.ptp(bone, axis=1) < 4).mean() > 0.99 and bone.std() > 5
 
 # The style reads without a complaint, and the next reader gets the same.
 style = hachure.vtkPatternStyle()

@@ -19,7 +19,7 @@ namespace hachure
 struct ViewContribution
 {
   std::int32_t view;
-  float weight; // beside other views
+  float weight;    // beside other views
   glm::vec4 color; // linear, times the mask, and the mask
 };
 struct ViewContributions

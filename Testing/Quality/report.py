@@ -41,8 +41,7 @@ REDUCED = (
     {"scene": ["plane"], "motion": ["rotate", "zoom", "approach"], **STIPPLES, "field": ["stipple"]},
     {"scene": ["sphere"], "motion": ["octave"], **STIPPLES, "field": ["stipple"]},
     {"scene": ["protein"], "motion": ["deform"], **STIPPLES, "field": ["stipple"]},
-    {"scene": ["sphere"], "motion": ["translate", "rotate", "zoom", "roll"],
-     "field": ["view", "view fade"], **FLAT_NOISE},
+    {"scene": ["sphere"], "motion": ["rotate", "zoom"], "field": ["view fade"], **FLAT_NOISE},
 )
 # Strokes tell little more than noise: scenes that show them all the same.
 STROKE_SCENES = ("sphere", "skull")

@@ -24,4 +24,4 @@ done = subprocess.run(["build/picture"], capture_output=True, text=True, timeout
 assert done.returncode == 0 and done.stderr == "", done.stderr
 
 # The script runs with the installed package, too.
-exec(readme.block("python", "import hachure"), {})  # pylint: disable=exec-used
+exec(readme.block("python", "vtkParametricBoy"), {})  # pylint: disable=exec-used

@@ -242,7 +242,9 @@ TEST(ViewTextureSample, WrongInputIsNamed)
   EXPECT_EQ(message().substr(0, 27), "camera.independentShare is ");
   camera.independentShare = 0.0;
   camera.modelToClip[2][2] = notANumber;
-  EXPECT_EQ(message().substr(0, 43), "camera.modelToClip has the determinant nan;");
+  // With either sign.
+  EXPECT_EQ(message().find("camera.modelToClip has the determinant "), 0u);
+  EXPECT_NE(message().find("nan;"), std::string::npos);
   camera = cameraFrom({ 0, 0, 4 });
   scene.colors.independent.pop_back();
   EXPECT_EQ(message().substr(0, 20), "colors.independent: ");

@@ -80,7 +80,7 @@ void attachGeometry(
   auto* areas = addCellArray<vtkDoubleArray>(output, "Area", drawn.size());
   vtkNew<vtkCellArray> triangles;
   triangles->AllocateExact(
-    static_cast<vtkIdType>(drawn.size()), static_cast<vtkIdType>(3 * drawn.size()));
+    static_cast<vtkIdType>(drawn.size()), 3 * static_cast<vtkIdType>(drawn.size()));
   for (std::size_t i = 0; i < drawn.size(); ++i)
   {
     const auto id = static_cast<vtkIdType>(i);
@@ -105,7 +105,8 @@ void attachColors(
   auto* independent = addCellArray<vtkUnsignedCharArray>(output, "Independent", drawn.size(), 4);
   auto* dependent = addCellArray<vtkFloatArray>(output, "DependentShare", drawn.size());
   const ViewTextureColors& colors = cells.colors;
-  const auto directions = static_cast<std::size_t>(colors.hemisphere * colors.hemisphere);
+  const auto side = static_cast<std::size_t>(colors.hemisphere);
+  const std::size_t directions = side * side;
   for (std::size_t i = 0; i < drawn.size(); ++i)
   {
     const auto id = static_cast<vtkIdType>(i);

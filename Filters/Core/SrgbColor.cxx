@@ -61,7 +61,7 @@ std::uint8_t srgbByteOf(float linear)
 
 std::uint8_t byteOf(float share)
 {
-  return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * whole + 0.5f);
+  return static_cast<std::uint8_t>(std::lround(std::clamp(share, 0.0f, 1.0f) * whole));
 }
 
 } // namespace hachure

@@ -118,7 +118,8 @@ TEST(ViewCoverage, RasterShowsWhatRaysMeetFirst)
     int different = 0;
     for (int pixel = 0; pixel < view.width * view.height; ++pixel)
     {
-      const auto ray = rayOf(view, pixel % view.width + 0.5, pixel / view.width + 0.5);
+      const int row = pixel / view.width;
+      const auto ray = rayOf(view, pixel % view.width + 0.5, row + 0.5);
       double nearest = std::numeric_limits<double>::infinity();
       std::int32_t triangle = -1;
       glm::dvec2 weights(0.0);
@@ -250,7 +251,8 @@ TEST(ViewCoverage, ListsAllPixelsOfCells)
         {
           const int column = 2 * (static_cast<int>(covered.pixel) % view.width) + quarter % 2;
           const int row = 2 * (static_cast<int>(covered.pixel) / view.width) + quarter / 2;
-          const auto at = static_cast<std::size_t>(row * raster.width + column);
+          const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.width) +
+            static_cast<std::size_t>(column);
           found = found ||
             (raster.triangles[at] >= 0 &&
               layer.cellAt({ raster.triangles[at], raster.weights[at] }) == level.cells[i]);

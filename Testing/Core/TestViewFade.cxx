@@ -241,6 +241,7 @@ TEST(ViewFade, EvenlyIsFiniteEverywhere)
 {
   const TextureView view = fadingView(FadeMode::Even, 4);
   std::vector<glm::vec3> directions;
+  directions.reserve(100);
   for (int i = 0; i < 100; ++i)
   {
     directions.emplace_back(direction(0.0314 * i, 0.7 * i));

@@ -381,9 +381,10 @@ TEST(ViewTextureNodes, PixelsShowTheirCellsOnFineMeshes)
       for (std::size_t j = level.first[i]; j < level.first[i + 1]; ++j)
       {
         const int pixel = static_cast<int>(level.pixels[j].pixel);
+        const int row = pixel / 150;
         const glm::dvec4 ray = back *
-          glm::dvec4(2.0 * (pixel % 150 + 0.5) / 150.0 - 1.0,
-            2.0 * (pixel / 150 + 0.5) / 150.0 - 1.0, 0.0, 1.0);
+          glm::dvec4(
+            2.0 * (pixel % 150 + 0.5) / 150.0 - 1.0, 2.0 * (row + 0.5) / 150.0 - 1.0, 0.0, 1.0);
         const glm::dvec3 along = glm::normalize(glm::dvec3(ray) / ray.w - view.eye);
         const glm::dvec3 to = surface.placeOfCell(level.number, level.cells[i]) - view.eye;
         nearest = std::min(nearest, glm::length(to - glm::dot(to, along) * along));

@@ -117,7 +117,7 @@ using Paint = std::function<glm::u8vec4(int column, int row)>;
 inline std::vector<glm::u8vec4> paint(const TextureView& view, const Paint& color)
 {
   std::vector<glm::u8vec4> pixels;
-  pixels.reserve(static_cast<std::size_t>(view.width * view.height));
+  pixels.reserve(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
   for (int row = 0; row < view.height; ++row)
   {
     for (int column = 0; column < view.width; ++column)

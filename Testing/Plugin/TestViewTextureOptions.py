@@ -41,7 +41,7 @@ coverage = draw("view-coverage", Manifest=both, Display="Coverage")
 assert not is_color(coverage, BLUE, 40) and not is_color(coverage, RED, 40)
 
 # Detail: as in a style file with the same numbers, and not as before.
-manifest("near-and-far", painted("near", waves(), size=256), painted("far", RED, (0, 0, 40)), finestLevel=5)
+manifest("near-and-far", painted("near", waves(), size=256), painted("far", RED, (0, 0, 40)), finestLevel=4)
 manifest("coarse", painted("around", RED), painted("ahead", waves(), (0, 0, 8), 60, size=256), finestLevel=5)
 for name, position, options, field in (
     ("near-and-far", (0, -3, 0.6), {"Level": "One for all"}, {"level": "one"}),
@@ -52,7 +52,7 @@ for name, position, options, field in (
     changed = draw("view-" + name, position, Manifest=os.path.join(folder(), name + ".json"), **options)
     assert scene.difference(usual, changed) > 1, (options, scene.difference(usual, changed))
     assert same(changed, draw(position=position, StyleFile=style_file(manifest=name + ".json", **field))), options
-afar = manifest("afar", painted("far", RED, (0, 0, 40)), finestLevel=5)
+afar = manifest("afar", painted("far", RED, (0, 0, 40)), finestLevel=4)
 assert is_color(draw(Manifest=afar), RED)
 assert is_color(draw(Manifest=afar, PropagateUp="Off"), GREY)
 

@@ -352,4 +352,17 @@ def test_wrong_input():
     near(color_at(stage(scene.plane(), layer)[2]), (30, 200, 30), 8)
 
 
+def test_a_view_that_cannot_be_drawn_is_named_and_nothing_is_lost():
+    layer = view_layer(finest=2)
+    add_view(layer, (0.0, 0.0, 3.0), even((30, 200, 30)))
+    window = stage(scene.plane(), layer)[2]
+    before = scene.draw(window)
+    too_wide = add_view(layer, (0.0, 0.0, 3.0), image(numpy.zeros((1, 16400, 3))))
+    scene.draw(window)
+    scene.expect_messages("layer 0: views[1].width is 16400; expected 1 to 16384 pixels")
+    assert (scene.draw(window) == 255).all(), "the same picture, told of once"
+    layer.GetViews().RemoveView(too_wide)
+    assert (scene.draw(window) == before).all()
+
+
 scene.run(globals())

@@ -253,25 +253,38 @@ void vtkViewTextureLayerPainter::UpdateView(const FieldScene& scene)
 
 std::string vtkViewTextureLayerPainter::DrawField(const FieldScene& scene, int)
 {
-  std::string problem;
-  this->Drawn = false;
+  const std::pair<unsigned long, vtkMTimeType> state(
+    scene.Surface->GetVersion(), this->Layer->GetMTime());
+  // What could not be made of this is not tried again for every picture.
+  if (!this->Problem.empty() && state == this->Failed)
+  {
+    return this->Problem;
+  }
+  this->Problem.clear();
   try
   {
     this->UpdateCells(*scene.Surface);
     this->UpdateColors(*scene.Surface);
     this->UpdateView(scene);
-    this->Drawn = this->Buffers.IsUsable();
   }
   catch (const std::exception& error)
   {
-    problem = error.what();
+    this->Problem = error.what();
+    this->Failed = state;
   }
-  if (!this->Drawn)
+  if (!this->Problem.empty() || !this->Buffers.IsUsable())
   {
-    this->Buffers.UploadNothing(this->Window);
-    this->Shape.x = -1.0f;
+    this->DrawNothing();
   }
-  return problem;
+  return this->Problem;
+}
+
+void vtkViewTextureLayerPainter::DrawNothing()
+{
+  this->Cells.reset(); // all is made again
+  this->Colors = std::make_unique<Texture>();
+  this->Buffers.UploadNothing(this->Window);
+  this->Shape.x = -1.0f;
 }
 
 std::string vtkViewTextureLayerPainter::DrawForwardField(const FieldScene& scene, int channel)
@@ -312,5 +325,6 @@ void vtkViewTextureLayerPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Buffers.Release(window);
   this->Cells.reset();
+  this->Problem.clear();
   this->Colors = std::make_unique<Texture>();
 }

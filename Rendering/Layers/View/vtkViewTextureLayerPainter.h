@@ -10,7 +10,10 @@
 #include "ViewTextureBuffers.h"
 #include "vtkPatternLayerPainter.h"
 #include "vtkPatternSurface.h"
+#include "vtkType.h"
 #include "vtkWeakPointer.h"
+
+#include <utility>
 
 class vtkViewTextureLayer;
 
@@ -49,6 +52,7 @@ private:
   void UpdateCells(vtkPatternSurface& surface);
   void UpdateColors(vtkPatternSurface& surface);
   void UpdateView(const FieldScene& scene);
+  void DrawNothing();
 
   vtkWeakPointer<vtkViewTextureLayer> Layer;
   vtkOpenGLRenderWindow* Window = nullptr;
@@ -60,7 +64,8 @@ private:
   unsigned long SurfaceVersion = 0;                  // whose frames are
   glm::dvec3 Origin{ 0.0 };                          // of these
   std::unique_ptr<Texture> Colors;
-  bool Drawn = false; // otherwise there is nothing in the buffers
+  std::string Problem;                           // empty: all could be made
+  std::pair<unsigned long, vtkMTimeType> Failed; // versions of surface and layer that it is about
 
   // Uniforms.
   glm::vec4 RowX{ 0.0f };

@@ -6,6 +6,7 @@ import os
 
 import pattern_scene as scene
 from paraview import simple, smstate
+from state_scene import clear
 
 options = {"NoiseStyle": "gabor", "NoiseSpread": -60, "NoiseRegularity": 2, "NoiseSmoothness": 0.3}
 options.update(NoiseScale=1.5, NoiseAngle=20, NoiseSeed=2, NoiseControl="Array", NoiseSizeFactors=[0.5, 3])
@@ -22,13 +23,6 @@ def open_view(choice):
     scene.show(sphere, where, Representation="Noise", **choice)
     scene.look(where, (0, 0.5, 3))
     return where
-
-
-def clear():
-    """Leaves nothing."""
-    for proxy in simple.GetRenderViews() + list(simple.GetSources().values()):
-        simple.Delete(proxy)
-    assert not simple.GetRenderViews()
 
 
 def only_view():

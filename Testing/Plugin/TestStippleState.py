@@ -2,10 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Two views stipple a source each in its own way; a state file and a traced Python script bring both back."""
 
-import os
-
 import pattern_scene as scene
-from paraview import simple, smstate
+from state_scene import two_views_come_back
 
 options = (
     {"StippleStyle": "stipple-two-inks", "StippleSize": 3.2, "StippleSeed": 4, "StippleRefinement": "Off"},
@@ -25,51 +23,4 @@ def open_view(source, choice):
     return where
 
 
-def new_source():
-    """A ball with an array."""
-    ball = simple.Sphere(ThetaResolution=30, PhiResolution=30)
-    return simple.Elevation(Input=ball, LowPoint=[0, -0.5, 0], HighPoint=[0, 0.5, 0])
-
-
-def clear():
-    """Leaves nothing."""
-    for proxy in simple.GetRenderViews() + list(simple.GetSources().values()):
-        simple.Delete(proxy)
-    assert not simple.GetRenderViews()
-
-
-def check_views(name):
-    """The two that came back are as they were."""
-    views = simple.GetRenderViews()
-    assert len(views) == 2, (name, len(views))
-    for where in views:
-        where.UseFXAA = 0  # no part of states
-    shown = [scene.picture(where, "stipple-%s-%d" % (name, index)) for index, where in enumerate(views)]
-    shown.sort(key=lambda picture: scene.difference(picture, alone[0]))
-    for picture, wanted in zip(shown, alone):
-        assert (picture == wanted).all(), (name, scene.difference(picture, wanted))
-
-
-alone = []
-for choice in options:
-    alone.append(scene.picture(open_view(new_source(), choice)))
-    clear()
-plain = scene.picture(open_view(new_source(), {}))
-clear()
-for first, second in (alone[0], alone[1]), (alone[0], plain), (alone[1], plain):
-    assert scene.difference(first, second) > 5
-
-source = new_source()
-views = [open_view(source, choice) for choice in options]
-for where, wanted in zip(views, alone):
-    assert (scene.picture(where) == wanted).all(), "views disturb each other"
-
-state = os.path.join(scene.output_folder, "stipple.pvsm")
-simple.SaveState(state)
-script = smstate.get_state()
-clear()
-simple.LoadState(state)
-check_views("pvsm")
-clear()
-exec(compile(script, "script", "exec"), {})  # pylint: disable=exec-used
-check_views("python")
+two_views_come_back("stipple", options, open_view, 5)

@@ -2,10 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Two views with textures of their own come back from a state file and from a Python script, which ParaView traces."""
 
-import os
-
 import pattern_scene as scene
-from paraview import simple, smstate
+from state_scene import two_views_come_back
 from view_pictures import BLUE, RED, manifest, painted, show, waves
 
 manifests = (
@@ -29,56 +27,11 @@ def open_view(source, choice):
     return where
 
 
-def new_source():
-    """A ball with an array."""
-    ball = simple.Sphere(ThetaResolution=30, PhiResolution=30)
-    return simple.Elevation(Input=ball, LowPoint=[0, -0.5, 0], HighPoint=[0, 0.5, 0])
+def check_names(where):
+    """No button was pressed when the view came back."""
+    display = where.Representations[0]
+    display.SMProxy.UpdatePropertyInformation()
+    assert len(display.ViewTextureNames) == 2, "a button was pressed"
 
 
-def clear():
-    """Leaves nothing."""
-    for proxy in simple.GetRenderViews() + list(simple.GetSources().values()):
-        simple.Delete(proxy)
-    assert not simple.GetRenderViews()
-
-
-def check_views(name):
-    """The two that came back are as they were."""
-    views = simple.GetRenderViews()
-    assert len(views) == 2, (name, len(views))
-    for where in views:
-        where.UseFXAA = 0  # no part of states
-    shown = [scene.picture(where, "view-%s-%d" % (name, index)) for index, where in enumerate(views)]
-    shown.sort(key=lambda picture: scene.difference(picture, alone[0]))
-    for picture, wanted in zip(shown, alone):
-        assert (picture == wanted).all(), (name, scene.difference(picture, wanted))
-    for where in views:
-        display = where.Representations[0]
-        display.SMProxy.UpdatePropertyInformation()
-        assert len(display.ViewTextureNames) == 2, "a button was pressed"
-
-
-clear()
-alone = []
-for choice in options:
-    alone.append(scene.picture(open_view(new_source(), choice)))
-    clear()
-plain = scene.picture(open_view(new_source(), {}))
-clear()
-for first, second in (alone[0], alone[1]), (alone[0], plain), (alone[1], plain):
-    assert scene.difference(first, second) > 3, scene.difference(first, second)
-
-source = new_source()
-views = [open_view(source, choice) for choice in options]
-for where, wanted in zip(views, alone):
-    assert (scene.picture(where) == wanted).all(), "views disturb each other"
-
-state = os.path.join(scene.output_folder, "view-texture.pvsm")
-simple.SaveState(state)
-script = smstate.get_state()
-clear()
-simple.LoadState(state)
-check_views("pvsm")
-clear()
-exec(compile(script, "script", "exec"), {})  # pylint: disable=exec-used
-check_views("python")
+two_views_come_back("view", options, open_view, 3, check_names)

@@ -14,6 +14,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternMapper.h"
 #include "vtkPatternPatches.h"
+#include "vtkPatternSharedVisibility.h"
 #include "vtkPatternStyle.h"
 #include "vtkPatternViewport.h"
 #include "vtkRenderer.h"
@@ -50,7 +51,7 @@ unsigned long NextFrameNumber()
 double TimePassed(const vtkPatternViewContext::Track& track)
 {
   const double data =
-    vtkPatternViewContext::DataTimeOf(track.Mapper->GetInputDataObject(0, 0)) - track.DataTime;
+    vtkPatternViewContext::DataTimeOf(track.Mapper->GetSurfaceData()) - track.DataTime;
   return std::isfinite(data) ? data : track.Mapper->GetAnimationTime() - track.AnimationTime;
 }
 
@@ -229,6 +230,39 @@ void vtkPatternViewContext::StartFrame()
   { return !track->Mapper || !track->Actor; };
   this->Tracks.erase(
     std::remove_if(this->Tracks.begin(), this->Tracks.end(), gone), this->Tracks.end());
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  if (window && !this->Renderer->GetSelector())
+  {
+    this->ShareVisibility(window);
+  }
+}
+
+// Together, once a frame: a rank may skip any later step that another one takes.
+void vtkPatternViewContext::ShareVisibility(vtkOpenGLRenderWindow* window)
+{
+  std::map<vtkMultiProcessController*, std::vector<Track*>> shared;
+  for (auto& track : this->Tracks)
+  {
+    if (vtkMultiProcessController* controller = track->Mapper->GetController())
+    {
+      shared[controller].push_back(track.get());
+    }
+  }
+  for (const auto& group : shared)
+  {
+    vtkPattern::SharedVisibility sharing(group.first);
+    for (Track* track : group.second)
+    {
+      sharing.Add(track->Visibility.ReadNearest(window), track->Visibility.GetCount());
+    }
+    if (sharing.Exchange())
+    {
+      for (std::size_t i = 0; i < group.second.size(); ++i)
+      {
+        group.second[i]->Shared = sharing.Get(i);
+      }
+    }
+  }
 }
 
 vtkPatternViewContext::Track* vtkPatternViewContext::Advance(
@@ -268,8 +302,7 @@ bool vtkPatternViewContext::UpdateSamples(Track& track)
   }
   const std::uint64_t known = track.Samples.GetSetVersion();
   vtkPatternSamples::Surface replaced;
-  const bool changed =
-    track.Samples.Update(track.Mapper->GetInputDataObject(0, 0), options, &replaced);
+  const bool changed = track.Samples.Update(track.Mapper->GetSurfaceData(), options, &replaced);
   if (track.Samples.GetSetVersion() != known && known == track.SetVersion)
   {
     track.Before = std::move(replaced);
@@ -367,7 +400,9 @@ void vtkPatternViewContext::AdvanceTracker(Track& track, const hachure::TrackedS
   const hachure::ViewProjection& view, bool changed)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
-  const std::vector<std::uint8_t> visibility = track.Visibility.Read(window);
+  const std::vector<std::uint8_t> visibility =
+    track.Mapper->GetController() ? std::move(track.Shared) : track.Visibility.Read(window);
+  track.Shared.clear();
   const bool replaced = track.SetVersion != track.Samples.GetSetVersion();
   track.Tracker.setOptions(vtkPatternViewContext::OptionsOf(track.Mapper->GetStyle()));
   const std::size_t known = replaced ? track.Before.Positions.size() : samples.positions.size();
@@ -387,7 +422,7 @@ void vtkPatternViewContext::AdvanceTracker(Track& track, const hachure::TrackedS
     !NearlyEqual(view, track.View, sameViewTolerance);
   track.Frame = this->FrameNumber;
   const double passed = TimePassed(track);
-  track.DataTime = DataTimeOf(track.Mapper->GetInputDataObject(0, 0));
+  track.DataTime = DataTimeOf(track.Mapper->GetSurfaceData());
   track.AnimationTime = track.Mapper->GetAnimationTime();
   if (track.Moved)
   {

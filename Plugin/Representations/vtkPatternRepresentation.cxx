@@ -4,9 +4,10 @@
 
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPatternMapper.h"
+#include "vtkPatternPartMapper.h"
 #include "vtkRepresentationPatches.h"
 #include "vtkSurfacePatches.h"
+#include "vtkWholeSurface.h"
 
 vtkStandardNewMacro(vtkPatternRepresentation);
 
@@ -42,7 +43,7 @@ vtkPatternRepresentation::vtkPatternRepresentation()
 {
   this->Mapper->Delete();
   this->LODMapper->Delete();
-  auto* mapper = vtkPatternMapper::New();
+  auto* mapper = vtkPatternPartMapper::New();
   auto* mapperLOD = vtkPatternMapper::New();
   mapperLOD->SetTrackedMapper(mapper);
   // The view gives the mapper another producer for every piece of data.
@@ -55,7 +56,9 @@ vtkPatternRepresentation::vtkPatternRepresentation()
   this->SetArrayIdNames(nullptr, nullptr);
   this->SetupDefaults();
   this->Patches = vtkSmartPointer<vtkRepresentationPatches>::New();
-  this->Patches->SetInputConnection(this->GeometryFilter->GetOutputPort());
+  this->Whole = vtkSmartPointer<vtkWholeSurface>::New();
+  this->Whole->SetInputConnection(this->GeometryFilter->GetOutputPort());
+  this->MultiBlockMaker->SetInputConnection(this->Whole->GetOutputPort());
   this->UpdatePatches();
   this->UpdateStyle();
 }
@@ -179,12 +182,7 @@ void vtkPatternRepresentation::UpdatePatches()
   this->Patches->SetRings(this->PatternPatchBlend);
   this->Patches->SetDistance(this->PatternPatchBlendDistance);
   this->Patches->SetInitial(this->PatternBorderWeights);
-  vtkAlgorithm* surface = this->Patches;
-  if (this->PatternPatches <= NONE)
-  {
-    surface = this->GeometryFilter;
-  }
-  this->MultiBlockMaker->SetInputConnection(surface->GetOutputPort());
+  this->Whole->SetFilter(this->PatternPatches > NONE ? this->Patches.Get() : nullptr);
   const char* const array = this->PatternPatches == NONE ? "" : "PatchId";
   static_cast<vtkPatternMapper*>(this->Mapper)->SetPatchArrayName(array);
   static_cast<vtkPatternMapper*>(this->LODMapper)->SetPatchArrayName(array);

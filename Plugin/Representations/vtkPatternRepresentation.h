@@ -9,8 +9,9 @@
  * that are given a representation of their own are drawn as ParaView draws them.
  *
  * Patches are made of the surface that is drawn, between the filter that extracts it and the
- * mappers, so that pictures of low detail have the same ones. Each process divides the part of the
- * surface that it holds.
+ * mappers, so that pictures of low detail have the same ones. Where several processes hold parts of
+ * the surface, each knows all of it (vtkWholeSurface), makes the same patterns, and draws its part
+ * with them.
  *
  * What is drawn is made of a style, a preset or a file, and of what the other properties replace in
  * all of its layers. They start neutral: a property of the type Choice at AS_IN_STYLE leaves the
@@ -37,8 +38,10 @@
 #include <algorithm> // For the ranges of the setters
 #include <string>
 
+class vtkMultiBlockDataSet;
 class vtkNoiseLayer;
 class vtkRepresentationPatches;
+class vtkWholeSurface;
 
 class HACHUREREPRESENTATIONS_EXPORT vtkPatternRepresentation
   : public vtkGeometryRepresentationWithFaces
@@ -742,6 +745,8 @@ protected:
   vtkPatternRepresentation();
   ~vtkPatternRepresentation() override;
 
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
   void UpdateColoringParameters() override;
 
   /** Replaces in a style what the properties ask for. */
@@ -809,6 +814,9 @@ private:
   }
 
   void UpdatePatches();
+  void SendWhole(vtkInformation* inInfo);
+  vtkDataObject* FindWhole(vtkInformation* inInfo);
+  void UpdateController();
   bool LoadStyle(vtkPatternStyle* style);
   void AdjustOutline(vtkPatternStyle* style);
   void AdjustMotion(vtkPatternStyle* style);
@@ -877,6 +885,9 @@ private:
   int PatternOutlineInk = AS_IN_STYLE;
   double PatternOutlineColor[3] = { 0.0, 0.0, 0.0 };
 
+  vtkSmartPointer<vtkWholeSurface> Whole;
+  vtkSmartPointer<vtkMultiBlockDataSet> SentWhole;
+  vtkMTimeType SentTime = 0;
   vtkSmartPointer<vtkRepresentationPatches> Patches;
   int PatternPatches = AS_IN_DATA;
   std::string PatternPatchArrayName;

@@ -3,6 +3,7 @@
 #include "vtkSurfacePart.h"
 
 #include "Core/NearCells.h"
+#include "OwnedCells.h"
 #include "SurfaceLeaves.h"
 #include "WholeSurfaceLeaf.h"
 #include "vtkWholeSurface.h"
@@ -46,22 +47,6 @@ vtkInformationObjectBaseKey* PointsKey()
 vtkDataArray* CellIds(vtkPolyData* block)
 {
   return block->GetCellData()->GetArray(vtkWholeSurface::GetCellIdsName());
-}
-
-// Which polygons of the whole's block a part has; empty where the part cannot be told.
-std::vector<std::uint8_t> OwnedCells(vtkPolyData* part, vtkPolyData* whole)
-{
-  std::vector<std::uint8_t> owned(static_cast<std::size_t>(whole->GetNumberOfPolys()), 0);
-  vtkDataArray* ids = part ? CellIds(part) : nullptr;
-  for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
-  {
-    const auto id = static_cast<vtkIdType>(ids->GetComponent(i, 0));
-    if (id >= 0 && id < whole->GetNumberOfPolys())
-    {
-      owned[static_cast<std::size_t>(id)] = 1;
-    }
-  }
-  return owned;
 }
 
 std::vector<vtkIdType> Chosen(const std::vector<std::uint8_t>& owned)
@@ -406,7 +391,7 @@ int vtkSurfacePart::RequestData(
   }
   if (!this->Internal->IsOf(part, whole))
   {
-    this->Draw(own, all);
+    this->Draw(own, all, !vtkWholeSurface::GetWhole(part));
     this->Internal->Part = part;
     this->Internal->Whole = whole;
     this->Internal->PartTime = part->GetMTime();
@@ -422,8 +407,9 @@ int vtkSurfacePart::RequestData(
   return 1;
 }
 
+// A part that came from another process may have cells that were cut.
 void vtkSurfacePart::Draw(
-  const std::vector<vtkPolyData*>& part, const std::vector<vtkPolyData*>& whole)
+  const std::vector<vtkPolyData*>& part, const std::vector<vtkPolyData*>& whole, bool moved)
 {
   this->Internal->Drawn.clear();
   this->Internal->Owned.assign(whole.size(), {});
@@ -434,7 +420,8 @@ void vtkSurfacePart::Draw(
       this->Internal->Drawn.emplace_back(part[i]);
       continue;
     }
-    this->Internal->Owned[i] = OwnedCells(part[i], whole[i]);
+    this->Internal->Owned[i] =
+      hachure::ownedCells(part[i], whole[i], vtkWholeSurface::GetCellIdsName(), moved);
     this->Internal->Drawn.push_back(DrawnBlock(part[i], whole[i], this->Internal->Owned[i]));
   }
 }

@@ -89,7 +89,8 @@ private:
   void operator=(const vtkSurfacePart&) = delete;
 
   struct Internals;
-  void Draw(const std::vector<vtkPolyData*>& part, const std::vector<vtkPolyData*>& whole);
+  void Draw(
+    const std::vector<vtkPolyData*>& part, const std::vector<vtkPolyData*>& whole, bool moved);
 
   double Surroundings = 0.03;
   vtkIdType MaximumNumberOfCells = 50000;

@@ -86,7 +86,7 @@ bool draws(const Corners& own, const Corners& cell)
 } // namespace
 
 std::vector<std::uint8_t> ownedCells(
-  vtkPolyData* part, vtkPolyData* whole, const std::string& ids, bool mayBeCut)
+  vtkPolyData* part, vtkPolyData* whole, const std::string& ids)
 {
   std::vector<std::uint8_t> owned(static_cast<std::size_t>(whole->GetNumberOfPolys()), 0);
   vtkDataArray* numbers = part ? part->GetCellData()->GetArray(ids.c_str()) : nullptr;
@@ -103,9 +103,8 @@ std::vector<std::uint8_t> ownedCells(
     {
       continue;
     }
-    const bool drawn =
-      !mayBeCut || draws(cornersOf(part, i, list), cornersOf(whole, id, list));
-    owned[static_cast<std::size_t>(id)] = drawn ? 1 : 0;
+    owned[static_cast<std::size_t>(id)] =
+      draws(cornersOf(part, i, list), cornersOf(whole, id, list)) ? 1 : 0;
   }
   return owned;
 }

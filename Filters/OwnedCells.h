@@ -21,7 +21,7 @@ namespace hachure
 /// that tells cells of the whole; a part without it, or null, has none. Of a cell that was cut, the
 /// part that has one certain point of it draws all.
 std::vector<std::uint8_t> ownedCells(
-  vtkPolyData* part, vtkPolyData* whole, const std::string& ids, bool mayBeCut);
+  vtkPolyData* part, vtkPolyData* whole, const std::string& ids);
 } // namespace hachure
 
 #endif

@@ -391,7 +391,7 @@ int vtkSurfacePart::RequestData(
   }
   if (!this->Internal->IsOf(part, whole))
   {
-    this->Draw(own, all, !vtkWholeSurface::GetWhole(part));
+    this->Draw(own, all);
     this->Internal->Part = part;
     this->Internal->Whole = whole;
     this->Internal->PartTime = part->GetMTime();
@@ -407,9 +407,8 @@ int vtkSurfacePart::RequestData(
   return 1;
 }
 
-// A part that came from another process may have cells that were cut.
 void vtkSurfacePart::Draw(
-  const std::vector<vtkPolyData*>& part, const std::vector<vtkPolyData*>& whole, bool moved)
+  const std::vector<vtkPolyData*>& part, const std::vector<vtkPolyData*>& whole)
 {
   this->Internal->Drawn.clear();
   this->Internal->Owned.assign(whole.size(), {});
@@ -421,7 +420,7 @@ void vtkSurfacePart::Draw(
       continue;
     }
     this->Internal->Owned[i] =
-      hachure::ownedCells(part[i], whole[i], vtkWholeSurface::GetCellIdsName(), moved);
+      hachure::ownedCells(part[i], whole[i], vtkWholeSurface::GetCellIdsName());
     this->Internal->Drawn.push_back(DrawnBlock(part[i], whole[i], this->Internal->Owned[i]));
   }
 }

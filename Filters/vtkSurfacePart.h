@@ -89,8 +89,7 @@ private:
   void operator=(const vtkSurfacePart&) = delete;
 
   struct Internals;
-  void Draw(
-    const std::vector<vtkPolyData*>& part, const std::vector<vtkPolyData*>& whole, bool moved);
+  void Draw(const std::vector<vtkPolyData*>& part, const std::vector<vtkPolyData*>& whole);
 
   double Surroundings = 0.03;
   vtkIdType MaximumNumberOfCells = 50000;

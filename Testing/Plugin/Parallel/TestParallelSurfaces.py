@@ -10,18 +10,22 @@ import view_pictures as views
 from paraview import simple
 
 SEEN_FROM = parallel.BLOBS_SEEN_FROM
+LARGE = 40
 FEW = {"Representation": "Stipple", "StippleNumberOfPoints": 4000, "StippleRefinement": "Off"}
 
-blobs = parallel.blobs()
+SMALL = (120, 90)
+
+# A surface of more triangles than every process draws: each knows what is near its part.
+fine = parallel.blobs(LARGE)
+fine_seen_from = [LARGE / 12 * x for x in SEEN_FROM]
 for representation in "Pattern", "Noise":
-    parallel.still(representation, blobs, SEEN_FROM, Representation=representation)
-parallel.still("Stipple", blobs, SEEN_FROM, **FEW)
+    parallel.still("fine-" + representation, fine, fine_seen_from, Representation=representation)
+parallel.still("fine-stipple", fine, fine_seen_from, **FEW)
+parallel.still("fine-far", fine, [4 * x for x in fine_seen_from], Representation="Noise", size=(80, 60))
 
-# Near the border of the parts, and small, where surroundings are wide.
-parallel.still("near", blobs, (9, 6, 22), (2, 1, 8), Representation="Noise")
-parallel.still("far", blobs, [4 * x for x in SEEN_FROM], Representation="Noise", size=(80, 60))
-
-# One ghost layer, and no normals.
+# A small one: some processes off screen; one ghost layer, and no normals.
+blobs = parallel.blobs()
+parallel.still("off-screen", blobs, (30, 30, 30), (10, 10, 10), Representation="Noise", NoiseStyle="gabor")
 ghosts = simple.GhostCellsGenerator(Input=parallel.blobs(normals=False))
 parallel.still("ghosts", ghosts, SEEN_FROM, PatternStyle="cross-hatch")
 
@@ -31,11 +35,10 @@ if parallel.RANKS == 1:
     simple.SaveData(ball_file, proxy=simple.Sphere(ThetaResolution=40, PhiResolution=30))
 ball = simple.STLReader(FileNames=[ball_file])
 parallel.still("alone", ball, (0, 0.4, 2.2), PatternStyle="halftone")
-parallel.still("alone-stipple", ball, (0, 0.4, 2.2), **FEW)
+parallel.still("alone-stipple", ball, (0, 0.4, 2.2), size=SMALL, **FEW)
 
-# More processes than pieces, and some off screen.
+# More processes than pieces.
 parallel.still("three-pieces", simple.Sphere(ThetaResolution=3, PhiResolution=20), (0, 0.4, 2.2), PatternStyle="hatch")
-parallel.still("off-screen", blobs, (30, 30, 30), (10, 10, 10), Representation="Noise", NoiseStyle="gabor")
 
 # Blocks, each on another process, that touch; and one of them hidden.
 rods = parallel.rods()
@@ -44,7 +47,8 @@ parallel.still("hidden-block", rods, (1, 2, 7), PatternStyle="hatch", BlockSelec
 
 # Patches of the whole surface.
 for patches in "Automatic", "Connected regions", "Blocks":
-    parallel.still("patches-" + patches, rods, (1, 2, 7), PatternPatches=patches, PatternStyle="hatch")
+    name = "patches-" + patches.split()[0]
+    parallel.still(name, rods, (1, 2, 7), size=SMALL, PatternPatches=patches, PatternStyle="hatch")
 
 # Views that are painted on the surface.
 manifest = os.path.join(views.folder(), "views.json")

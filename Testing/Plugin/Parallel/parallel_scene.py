@@ -18,7 +18,7 @@ from paraview.vtk.vtkParallelCore import vtkMultiProcessController  # noqa: E402
 
 SIZE = (200, 150)
 MEAN = 1.0  # largest mean difference, in levels
-BOX, CROWD = 24, 24  # a seam: in a square of so many a side so many pixels differ by more than STRONG levels
+BOX, CROWD = 24, 28  # a seam: in a square of so many a side so many pixels differ by more than STRONG levels
 STRONG = 64
 
 controller = vtkMultiProcessController.GetGlobalController()
@@ -72,11 +72,11 @@ def still(name, source, position, focal=(0.0, 0.0, 0.0), size=SIZE, **properties
     simple.Delete(where)
 
 
-def blobs(normals=True, **properties):
-    """An isosurface of which every process holds a part."""
-    wavelet = simple.Wavelet(WholeExtent=[-12, 12, -12, 12, -12, 12], XFreq=20, YFreq=10, ZFreq=13)
+def blobs(radius=12, normals=True):
+    """An isosurface of which every process holds a part: 5,000 triangles, that is 37 for each square of the radius."""
+    wavelet = simple.Wavelet(WholeExtent=3 * [-radius, radius], XFreq=20, YFreq=10, ZFreq=13)
     return simple.Contour(
-        Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[150], ComputeNormals=normals, **properties
+        Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[150], ComputeNormals=normals
     )
 
 

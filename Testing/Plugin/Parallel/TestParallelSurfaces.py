@@ -10,10 +10,9 @@ import view_pictures as views
 from paraview import simple
 
 SEEN_FROM = parallel.BLOBS_SEEN_FROM
-LARGE = 40
-FEW = {"Representation": "Stipple", "StippleNumberOfPoints": 4000, "StippleRefinement": "Off"}
-
+LARGE = 40  # radius
 SMALL = (120, 90)
+FEW = {"Representation": "Stipple", "StippleNumberOfPoints": 4000, "StippleRefinement": "Off"}
 
 # A surface of more triangles than every process draws: each knows what is near its part.
 fine = parallel.blobs(LARGE)

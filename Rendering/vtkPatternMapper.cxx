@@ -316,8 +316,9 @@ void vtkPatternMapper::UpdatePatches(std::string& error)
 {
   const unsigned long before = this->Internal->Patches.GetVersion();
   this->Internal->Patches.Collect(this->GetInputDataObject(0, 0), this->PatchArrayName, error);
-  if (this->Internal->Patches.GetVersion() != before)
+  if (this->Internal->Patches.GetVersion() != before || this->Internal->PatchesBeginAnew)
   {
+    this->Internal->PatchesBeginAnew = false;
     double center[3] = { 0.0, 0.0, 0.0 };
     const vtkBoundingBox box(this->GetBounds());
     if (box.IsValid())
@@ -383,6 +384,10 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
     return;
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!this->TrackedMapper && !viewport.IsTile)
+  {
+    vtkPatternViewContext::Get(renderer)->BeginFrame(this, actor);
+  }
   this->UpdateChannels();
   std::string error = this->Internal->ChannelError;
   this->UpdatePatches(error);

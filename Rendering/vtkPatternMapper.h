@@ -184,10 +184,17 @@ public:
   vtkGetMacro(NoiseBackEnd, int);
   ///@}
 
+  ///@{
   /**
-   * Forgets how the patterns have moved in a renderer: the next frame anchors them anew.
+   * Forgets how the patterns have moved in a renderer, or in all of them: the next frame is drawn
+   * as if it were the first one, whatever was drawn before. So is, by itself, a frame where time
+   * has gone back to that of the first one or before it, by the clock of the data where it has
+   * moved since the last frame, else by AnimationTime. An animation that is played again is
+   * therefore the same again.
    */
   virtual void Reanchor(vtkRenderer* renderer);
+  virtual void Reanchor();
+  ///@}
 
   ///@{
   /**
@@ -244,6 +251,10 @@ public:
   void AppendRuns(vtkPolyData* block, std::vector<float>& records);
   std::vector<hachure::PatternFrame> AnchoredFrames(const hachure::TrackedSamples& samples,
     const hachure::ViewProjection& view, vtkRenderer* renderer);
+  /// Another number after every Reanchor() in all renderers.
+  unsigned long GetAnchorVersion() const;
+  /// The surface as it is now is where marks are made; internal.
+  void AnchorSurface();
   /// Whether the stipples of pictures are kept for CollectStipples. Switched off they are
   /// forgotten.
   void KeepStipples(bool keep);

@@ -52,7 +52,16 @@ bool vtkPatternSamples::Update(vtkDataObject* input, const Options& options, Sur
     this->Sample(input, options);
   }
   this->Move();
+  this->FirstPositionVersion = sameSamples ? this->FirstPositionVersion : this->PositionVersion;
   return true;
+}
+
+void vtkPatternSamples::BeginAnew()
+{
+  if (this->PositionVersion != this->FirstPositionVersion)
+  {
+    this->Geometry = vtkPatternGeometry();
+  }
 }
 
 void vtkPatternSamples::Read(const std::string& role, const std::string& name, int components,

@@ -167,6 +167,20 @@ int vtkPatternRepresentation::GetPatternBackEnd()
 }
 
 //------------------------------------------------------------------------------
+void vtkPatternRepresentation::Reanchor()
+{
+  static_cast<vtkPatternMapper*>(this->Mapper)->Reanchor();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetUpdateTime(double time)
+{
+  this->Superclass::SetUpdateTime(time);
+  static_cast<vtkPatternMapper*>(this->Mapper)->SetAnimationTime(time);
+  static_cast<vtkPatternMapper*>(this->LODMapper)->SetAnimationTime(time);
+}
+
+//------------------------------------------------------------------------------
 void vtkPatternRepresentation::UpdatePatches()
 {
   this->Patches->SetMethod(MethodOf(this->PatternPatches));

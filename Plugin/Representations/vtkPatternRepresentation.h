@@ -624,6 +624,12 @@ public:
   vtkGetMacro(PatternTracking, int);
   ///@}
 
+  /** The next picture is drawn as if it were the first one, see vtkPatternMapper::Reanchor(). */
+  void Reanchor();
+
+  /** Tells the mappers, too: time of what fades, and of whether patterns begin anew. */
+  void SetUpdateTime(double time) override;
+
   ///@{
   /** Whether patterns keep their direction, or their size, in the image, while they still follow
    * the surface's place: AS_IN_STYLE, 0 (no) or 1 (yes). Default AS_IN_STYLE. */

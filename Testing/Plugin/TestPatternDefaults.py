@@ -5,7 +5,8 @@
 import os
 
 import pattern_scene as scene
-from paraview import servermanager, simple
+from paraview import simple
+from property_definitions import definitions, written
 
 PROXIES = (
     "GeometryRepresentation",
@@ -14,20 +15,6 @@ PROXIES = (
     "UnstructuredGridRepresentation",
 )
 LABELS = {"ViewTexture": "View-dependent Texture"}  # of those that are not named as their class
-definitions = servermanager.vtkSMProxyManager.GetProxyManager().GetActiveSessionProxyManager()
-
-
-def written(representation):
-    """Properties in the XML that the plugin brings and that are set: dictionaries of their attributes, and a tag."""
-    manager = definitions.GetProxyDefinitionManager()
-    proxy = manager.GetProxyDefinition("representations", representation + "Representation")
-    elements = [proxy.GetNestedElement(i) for i in range(proxy.GetNumberOfNestedElements())]
-    names = "name", "command", "number_of_elements", "default_values", "panel_visibility"
-    return [
-        dict({name: element.GetAttribute(name) for name in names}, tag=element.GetName())
-        for element in elements
-        if element.GetName().endswith("VectorProperty") and not element.GetAttribute("information_only")
-    ]
 
 
 def asking_proxy(representation, properties):

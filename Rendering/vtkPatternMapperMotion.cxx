@@ -36,7 +36,7 @@ unsigned long vtkPatternMapper::GetAnchorVersion() const
 void vtkPatternMapper::AnchorSurface()
 {
   this->Internal->Surface.BeginAnew();
-  this->Internal->PatchesBeginAnew = this->Internal->Patches.IsActive();
+  this->Internal->PatchesBeginAnew = true;
 }
 
 namespace

@@ -63,7 +63,7 @@ public:
   /// are replaced go to `replaced`, where that is not null.
   bool Update(vtkDataObject* input, const Options& options, Surface* replaced = nullptr);
 
-  /// The next update makes new samples where the surface has moved since these were made.
+  /// The next update makes new samples if the surface has moved since these were made.
   void BeginAnew();
 
   /// Reads a named array of the blocks of the last update: interpolated between points, or that of
@@ -102,6 +102,7 @@ private:
   std::uint64_t SetVersion = 0;
   std::uint64_t PositionVersion = 0;
   std::uint64_t FirstPositionVersion = 0; // of this set
+  bool IsAnew = false;                    // asked for
 };
 
 #endif

@@ -68,9 +68,10 @@ def check(where, displays, other):
     # The user plays, scrubs and looks from elsewhere. After its last time an animation begins anew.
     time.picture_at(where, FRAMES - 1)
     played = [play(where) for _ in range(2)]
-    for moment in 1, 2, 1:
-        scene.look(where, (moment, 9, 30))
+    for moment in 2, 1, 0:
         time.picture_at(where, moment)
+    scene.look(where, (8, 9, 30))
+    scene.picture(where)
     assert equal(first, save(where, displays, "saved-second"))
     assert [(a == b).all() for a, b in zip(*played)] == [True] * FRAMES
     assert other.wait(120) == 0

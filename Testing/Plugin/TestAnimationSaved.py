@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Hachure contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A saved animation of tracked patterns is the same again, whatever was looked at, and so is one that is played again."""
+"""A saved animation of tracked patterns is the same again, whatever was looked at, as is one that is played again."""
 
 import os
 import subprocess

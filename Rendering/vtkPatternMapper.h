@@ -188,9 +188,10 @@ public:
   /**
    * Forgets how the patterns have moved in a renderer, or in all of them: the next frame is drawn
    * as if it were the first one, whatever was drawn before. So is, by itself, a frame where time
-   * has gone back to that of the first one or before it, by the clock of the data where it has
-   * moved since the last frame, else by AnimationTime. An animation that is played again is
-   * therefore the same again.
+   * has come back from a later one to that of the first one or before it, so that an animation that
+   * is played again is the same again. Time is that of the data where it has moved since the last
+   * frame, else AnimationTime. Who goes back from the first frame on is followed, but not in the
+   * tracking mode ANCHORED, where marks are then made anew, too.
    */
   virtual void Reanchor(vtkRenderer* renderer);
   virtual void Reanchor();

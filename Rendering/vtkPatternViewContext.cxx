@@ -263,6 +263,18 @@ void vtkPatternViewContext::Forget(Track& track)
   track.Mapper->AnchorSurface();
 }
 
+// Whether time has come back to when the patterns began: from a later one, as where an animation
+// begins again. Who goes back from there on is followed, unless nothing follows.
+bool vtkPatternViewContext::IsBack(const Track& track, const Moment& now)
+{
+  if (TimeBetweenMoving(track.Last, now) >= 0.0 || TimeBetweenMoving(track.First, now) > 0.0)
+  {
+    return false;
+  }
+  const bool anchored = track.Mapper->GetStyle()->GetTrackingMode() == vtkPatternStyle::ANCHORED;
+  return anchored || TimeBetweenMoving(track.First, track.Last) > 0.0;
+}
+
 void vtkPatternViewContext::BeginFrame(vtkPatternMapper* mapper, vtkActor* actor)
 {
   Track* track = this->FindTrack(mapper, actor);
@@ -271,11 +283,13 @@ void vtkPatternViewContext::BeginFrame(vtkPatternMapper* mapper, vtkActor* actor
     return;
   }
   const Moment now = MomentOf(mapper);
-  const bool isBack =
-    TimeBetweenMoving(track->Last, now) < 0.0 && TimeBetweenMoving(track->First, now) <= 0.0;
-  if (isBack || track->AnchorVersion != mapper->GetAnchorVersion())
+  if (IsBack(*track, now) || track->AnchorVersion != mapper->GetAnchorVersion())
   {
     this->Forget(*track);
+  }
+  if (TimeBetweenMoving(track->First, now) < 0.0)
+  {
+    track->First = now;
   }
   track->AnchorVersion = mapper->GetAnchorVersion();
   track->Last = now;

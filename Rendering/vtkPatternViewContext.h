@@ -118,6 +118,7 @@ private:
   void Attach(vtkRenderer* renderer);
   void StartFrame();
   void EndFrame();
+  static bool IsBack(const Track& track, const Moment& now);
   void Forget(Track& track);
   void Predict(Track& track, const vtkPatternViewport& viewport, bool lowDetail);
   bool UpdateSamples(Track& track);

@@ -14,7 +14,7 @@ FRAME = 0.1  # a quarter of a transition
 
 
 class Stage:
-    """A plane in parallel projection, unlit, drawn at scale 1 and time 0, then at a first scale; None: not yet drawn."""
+    """A plane in parallel projection, unlit, drawn at scale 1 and time 0, then at first, if that is a scale."""
 
     def __init__(self, duration=4 * FRAME, lod=(1.3, 1.7), pattern=LAYER.HALFTONE, first=1.0):
         self.style = scene.constant_style(pattern, 14, 0.4, 0.0, 20.0)

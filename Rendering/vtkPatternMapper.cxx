@@ -312,6 +312,11 @@ void vtkPatternMapper::UpdateChannels()
   }
 }
 
+void vtkPatternMapper::SetDrawsLegend(bool legend)
+{
+  this->Internal->Channels.SetStandIns(legend);
+}
+
 void vtkPatternMapper::UpdatePatches(std::string& error)
 {
   const unsigned long before = this->Internal->Patches.GetVersion();

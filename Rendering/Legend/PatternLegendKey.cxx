@@ -318,7 +318,7 @@ std::vector<double> roundValues(const std::array<double, 2>& range, int count)
       {
         for (double i = first; i <= last; ++i)
         {
-          values.push_back(i * step);
+          values.push_back(i * step + 0.0); // not -0
         }
         return values.empty() ? evenValues(range, 1) : values;
       }

@@ -123,9 +123,9 @@ vtkPatternLegendActor::Drawing::Drawing(
   , Window(window)
   , Surface(surface)
   , Key(surface)
-  , PixelScale(surface.style->GetPixelScale())
 {
-  this->Scene.pixelsPerLogical = vtkPatternViewport(renderer, this->PixelScale).PixelsPerLogical;
+  const double pixelScale = surface.style->GetPixelScale();
+  this->Scene.pixelsPerLogical = vtkPatternViewport(renderer, pixelScale).PixelsPerLogical;
 }
 
 hachure::LegendRectangle vtkPatternLegendActor::Drawing::InPixels(
@@ -140,8 +140,8 @@ hachure::LegendRectangle vtkPatternLegendActor::Drawing::InPixels(
 std::array<int, 2> vtkPatternLegendActor::Drawing::InPixels(double x, double y) const
 {
   const double scale = this->Scene.pixelsPerLogical;
-  return { this->Origin[0] + static_cast<int>(std::lround(scale * x)),
-    this->Origin[1] + static_cast<int>(std::lround(scale * y)) };
+  return { static_cast<int>(std::lround(scale * (this->Corner[0] + x))),
+    static_cast<int>(std::lround(scale * (this->Corner[1] + y))) };
 }
 
 // Of the size alone, so that a larger screenshot is laid out in the same way.
@@ -178,15 +178,17 @@ std::string vtkPatternLegendActor::TitleText(const Drawing& drawing)
 
 void vtkPatternLegendActor::LayOut(Drawing& drawing)
 {
-  const int* lower = this->PositionCoordinate->GetComputedViewportValue(drawing.Renderer);
-  drawing.Origin = { lower[0], lower[1] };
-  const int* upper = this->Position2Coordinate->GetComputedViewportValue(drawing.Renderer);
   hachure::LegendLayoutOptions options;
+  const double* value = this->PositionCoordinate->GetComputedDoubleViewportValue(drawing.Renderer);
+  const std::array<double, 2> lower = { value[0], value[1] };
+  value = this->Position2Coordinate->GetComputedDoubleViewportValue(drawing.Renderer);
+  const double scale = drawing.Scene.pixelsPerLogical;
   for (std::size_t axis = 0; axis < 2; ++axis)
   {
-    const double extent = upper[axis] - drawing.Origin[axis];
+    // Whole logical pixels, so that larger screenshots are the same.
+    drawing.Corner[axis] = static_cast<int>(std::lround(lower[axis] / scale));
     options.size[axis] =
-      std::max(0, static_cast<int>(std::lround(extent / drawing.Scene.pixelsPerLogical)));
+      std::max(0, static_cast<int>(std::lround((value[axis] - lower[axis]) / scale)));
   }
   options.vertical = this->Orientation == VERTICAL;
   options.thickness = this->SwatchThickness;

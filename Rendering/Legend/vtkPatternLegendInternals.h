@@ -69,8 +69,7 @@ struct vtkPatternLegendActor::Drawing
   std::vector<double> Borders;  // values where steps meet
   std::vector<hachure::LegendLabel> Labels;
   bool Ticks = false;
-  std::array<int, 2> Origin{}; // pixels of the viewport
-  double PixelScale;           // framebuffer pixels per logical pixel that windows know nothing of
+  std::array<int, 2> Corner{}; // of the box, logical pixels of the viewport
 };
 
 #endif

@@ -108,12 +108,11 @@ def test_spacing_is_that_of_the_surface():
         plane = scene.plane().GetOutput()
         scene.add_array(plane.GetPointData(), "depth", numpy.full(plane.GetNumberOfPoints(), 0.5))
         surface = scene.window_of(scene.renderer_of(scene.actor_of(plane, style)), size=(320, 320))
-        shown = scene.draw(surface)[20:300, 60:260]
+        shown = scene.draw(surface)[60:260, 60:260]  # of 226 pixels
         (_, _, swatch), = stage.swatches(stage.draw())
         periods = period(swatch), period(shown)
         print("periods", periods)
-        assert abs(periods[0] - periods[1]) < 0.15 * 9.0, periods
-        assert abs(periods[0] - 9.0) < 0.15 * 9.0, periods
+        assert abs(periods[0] / periods[1] - 1.0) < 0.05, periods
 
 
 def test_several_layers_of_one_array():
@@ -181,7 +180,8 @@ def test_categories_of_a_lookup_table():
     places = [place for _, place in stage.labels()]
     assert places == sorted(places, reverse=True), "from above"
     for (value, _, pixels), color in zip(swatches, colors):
-        paper = numpy.median(pixels.reshape(-1, 3)[pixels.reshape(-1, 3).sum(axis=1) > 60], axis=0)
+        found, counts = numpy.unique(pixels[pixels.sum(axis=2) > 60], axis=0, return_counts=True)
+        paper = found[counts.argmax()]
         assert abs(paper / 255.0 - color).max() < 0.02, (value, paper)
         light = scene.linear(pixels).mean(axis=(0, 1)) / scene.linear(255.0 * numpy.array(color))
         brightest = light[numpy.argmax(color)]  # of which bytes tell most

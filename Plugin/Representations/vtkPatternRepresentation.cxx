@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatternRepresentation.h"
 
+#include "PatternLegendPlace.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPatternLegendActor.h"
 #include "vtkPatternMapper.h"
 #include "vtkRepresentationPatches.h"
 #include "vtkSurfacePatches.h"
@@ -58,6 +60,7 @@ vtkPatternRepresentation::vtkPatternRepresentation()
   this->Patches->SetInputConnection(this->GeometryFilter->GetOutputPort());
   this->UpdatePatches();
   this->UpdateStyle();
+  this->Legend = this->MakeLegend();
 }
 
 //------------------------------------------------------------------------------
@@ -195,6 +198,7 @@ void vtkPatternRepresentation::UpdateColoringParameters()
 {
   this->Superclass::UpdateColoringParameters();
   this->UpdateStyle();
+  this->Legend->Update();
 }
 
 //------------------------------------------------------------------------------
@@ -313,4 +317,6 @@ void vtkPatternRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PatternSamplesPerPatch: " << this->PatternSamplesPerPatch << "\n";
   os << indent << "PatternVelocityArray: " << this->PatternVelocityArray << "\n";
   os << indent << "PatternBackEnd: " << this->GetPatternBackEnd() << "\n";
+  os << indent << "PatternLegend: " << this->GetPatternLegend() << "\n";
+  this->GetLegend()->PrintSelf(os, indent.GetNextIndent());
 }

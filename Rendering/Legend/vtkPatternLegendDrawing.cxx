@@ -74,6 +74,31 @@ double backgroundLuma(vtkRenderer* renderer)
   return ground->GetGradientBackground() ? 0.5 * (own + luma(ground->GetBackground2())) : own;
 }
 
+// Around a swatch; ends: also where it ends, unless the next one begins there.
+void addFrame(std::vector<hachure::LegendRectangle>& lines, const hachure::LegendRectangle& swatch,
+  bool vertical, bool ends)
+{
+  const int across = vertical ? 0 : 1;
+  const int along = 1 - across;
+  const int w = frameWidth;
+  for (const int side : { 0, 1 })
+  {
+    hachure::LegendRectangle beside = swatch;
+    beside[across] += side == 0 ? -w : swatch[across + 2];
+    beside[across + 2] = w;
+    lines.push_back(beside);
+    hachure::LegendRectangle end = swatch;
+    end[along] += side == 0 ? -w : swatch[along + 2];
+    end[along + 2] = w;
+    end[across] -= w;
+    end[across + 2] += 2 * w;
+    if (side == 0 || ends)
+    {
+      lines.push_back(end);
+    }
+  }
+}
+
 std::string pictureKey(const hachure::LegendSurface& surface, const hachure::PatternLegendKey& key,
   const hachure::LegendPictureScene& scene)
 {
@@ -364,16 +389,11 @@ void vtkPatternLegendActor::DrawLines(Drawing& drawing)
   const bool vertical = drawing.Scene.vertical;
   const hachure::LegendLayout& layout = drawing.Scene.layout;
   std::vector<hachure::LegendRectangle> lines;
-  for (const hachure::LegendRectangle& s : layout.swatches)
+  const std::size_t count = layout.swatches.size();
+  for (std::size_t i = 0; this->DrawFrame && i < count; ++i)
   {
-    if (this->DrawFrame)
-    {
-      const int w = frameWidth;
-      lines.push_back({ s[0] - w, s[1] - w, s[2] + 2 * w, w });
-      lines.push_back({ s[0] - w, s[1] + s[3], s[2] + 2 * w, w });
-      lines.push_back({ s[0] - w, s[1], w, s[3] });
-      lines.push_back({ s[0] + s[2], s[1], w, s[3] });
-    }
+    const bool joined = drawing.Mode == STEPS && i + 1 < count - (drawing.Nan ? 1 : 0);
+    addFrame(lines, layout.swatches[i], vertical, !joined);
   }
   for (const hachure::LegendLabel& label : drawing.Labels)
   {

@@ -31,8 +31,7 @@ PatternLegendPlace::PatternLegendPlace(vtkActor* surface, std::function<void()> 
   this->Widget->SetRepresentation(this->Representation);
   this->Widget->SelectableOff();
   this->Widget->SetKeyPressActivation(false);
-  this->Widget->AddObserver(
-    vtkCommand::EndInteractionEvent, this, &PatternLegendPlace::Tell);
+  this->Widget->AddObserver(vtkCommand::EndInteractionEvent, this, &PatternLegendPlace::Tell);
 }
 
 //------------------------------------------------------------------------------

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The legend of a representation in a view: over everything else, as scalar bars are, and moved with
- * the mouse where there is one. Only the process that shows pictures to the user has it.
+ * The legend of a representation in a view: over everything else, as scalar bars are, and moved
+ * with the mouse where there is one. Only the process that shows pictures to the user has it.
  */
 #ifndef PatternLegendPlace_h
 #define PatternLegendPlace_h

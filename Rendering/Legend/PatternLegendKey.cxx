@@ -282,7 +282,8 @@ std::vector<double> PatternLegendKey::toneSteps() const
   values = { this->Range[0], this->Range[1] };
   for (int i = 1; i < tone->GetSteps(); ++i)
   {
-    const double curved = std::pow(static_cast<double>(i) / tone->GetSteps(), 1.0 / tone->GetGamma());
+    const double curved =
+      std::pow(static_cast<double>(i) / tone->GetSteps(), 1.0 / tone->GetGamma());
     const double source = tone->GetInvert() ? 1.0 - curved : curved;
     const double* ends = tone->GetRange();
     const double value =

@@ -74,7 +74,7 @@ PatternLegendPicture::PatternLegendPicture()
   this->Mapper->SetStyle(this->Style);
   this->Mapper->SetDrawsLegend(true);
   this->Mapper->SetColorModeToDefault(); // colours are those of the points
-  constexpr double grey = 0.75; // see vtkPatternMapper
+  constexpr double grey = 0.75;          // see vtkPatternMapper
   this->NoTable->SetNanColor(grey, grey, grey, 1.0);
   this->Actor->SetMapper(this->Mapper);
   this->Actor->GetProperty()->LightingOff();
@@ -110,13 +110,13 @@ std::array<int, 4> legendArea(const LegendLayout& layout)
       upper[axis] = std::max(upper[axis], swatch[axis] + swatch[axis + 2]);
     }
   }
-  return { lower[0] - legendMargin, lower[1] - legendMargin,
-    upper[0] - lower[0] + 2 * legendMargin, upper[1] - lower[1] + 2 * legendMargin };
+  return { lower[0] - legendMargin, lower[1] - legendMargin, upper[0] - lower[0] + 2 * legendMargin,
+    upper[1] - lower[1] + 2 * legendMargin };
 }
 
 // The layers themselves, so that nothing is made twice; light, motion and outline are the legend's.
-void PatternLegendPicture::UpdateStyle(vtkPatternStyle* style, const PatternLegendKey& key,
-  double area, double pixelsPerLogical)
+void PatternLegendPicture::UpdateStyle(
+  vtkPatternStyle* style, const PatternLegendKey& key, double area, double pixelsPerLogical)
 {
   this->Style->RemoveAllLayers();
   for (vtkPatternLayer* layer : key.layers())

@@ -60,8 +60,8 @@ public:
   void releaseGraphicsResources();
 
 private:
-  void UpdateStyle(vtkPatternStyle* style, const PatternLegendKey& key, double area,
-    double pixelsPerLogical);
+  void UpdateStyle(
+    vtkPatternStyle* style, const PatternLegendKey& key, double area, double pixelsPerLogical);
   void Look(const std::array<int, 4>& area);
   vtkSmartPointer<vtkImageData> Render(vtkOpenGLRenderWindow* window);
 

@@ -12,13 +12,13 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
 #include "vtkProperty2D.h"
-#include "vtkTextActor.h"
 #include "vtkTextProperty.h"
+#include "vtkTextRenderer.h"
 #include "vtkTexture.h"
 #include "vtkTexturedActor2D.h"
 #include "vtkViewport.h"
 
-#include <cmath>
+#include <sstream>
 
 namespace hachure
 {
@@ -45,9 +45,18 @@ void addTextureRectangle(
   {
     const int right = corner == 1 || corner == 2 ? 1 : 0;
     const int up = corner / 2;
-    coordinates->InsertNextTuple2(static_cast<double>(rectangle[0] + right * rectangle[2]) / size[0],
+    coordinates->InsertNextTuple2(
+      static_cast<double>(rectangle[0] + right * rectangle[2]) / size[0],
       static_cast<double>(rectangle[1] + up * rectangle[3]) / size[1]);
   }
+}
+
+void prepare(vtkActor2D* actor)
+{
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->ScalarVisibilityOff();
+  actor->SetMapper(mapper);
+  actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
 }
 
 void draw(vtkActor2D* actor, vtkPolyData* data, vtkViewport* viewport)
@@ -59,25 +68,35 @@ void draw(vtkActor2D* actor, vtkPolyData* data, vtkViewport* viewport)
   }
   actor->RenderOverlay(viewport);
 }
-} // namespace
 
-PatternLegendSheet::PatternLegendSheet()
+std::string textKey(const std::string& text, vtkTextProperty* font, int dotsPerInch)
 {
-  for (vtkActor2D* actor : { static_cast<vtkActor2D*>(this->Picture), this->Even.GetPointer() })
-  {
-    vtkNew<vtkPolyDataMapper2D> mapper;
-    mapper->ScalarVisibilityOff();
-    actor->SetMapper(mapper);
-    actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
-  }
-  this->Texture->InterpolateOff(); // a texel is a pixel
-  this->Texture->RepeatOff();
-  this->Picture->SetTexture(this->Texture);
+  const double* color = font->GetColor();
+  std::ostringstream key;
+  key << font->GetFontFamily() << ' ' << (font->GetFontFile() ? font->GetFontFile() : "") << ' '
+      << font->GetFontSize() << ' ' << font->GetBold() << font->GetItalic() << font->GetShadow()
+      << ' ' << color[0] << ' ' << color[1] << ' ' << color[2] << ' ' << font->GetOpacity() << ' '
+      << dotsPerInch << ' ' << text;
+  return key.str();
 }
 
-PatternLegendSheet::~PatternLegendSheet() = default;
+// Before a place of this justification, which is one of left, centred and right, or the same
+// upwards.
+int before(int justification, int centered, int first, int extent)
+{
+  return justification == first ? 0 : justification == centered ? extent / 2 : extent;
+}
+} // namespace
 
-void PatternLegendSheet::drawPicture(
+PatternLegendSheet::Pieces::Pieces()
+{
+  prepare(this->Actor);
+  this->Texture->InterpolateOff(); // a texel is a pixel
+  this->Texture->RepeatOff();
+  this->Actor->SetTexture(this->Texture);
+}
+
+void PatternLegendSheet::Pieces::Draw(
   vtkViewport* viewport, vtkImageData* picture, const std::vector<LegendPiece>& pieces)
 {
   vtkNew<vtkPoints> points;
@@ -90,14 +109,27 @@ void PatternLegendSheet::drawPicture(
     addRectangle(points, cells, { piece.to[0], piece.to[1], piece.from[2], piece.from[3] });
     addTextureRectangle(coordinates, piece.from, size);
   }
-  this->Pieces->SetPoints(points);
-  this->Pieces->SetPolys(cells);
-  this->Pieces->GetPointData()->SetTCoords(coordinates);
+  this->Quads->SetPoints(points);
+  this->Quads->SetPolys(cells);
+  this->Quads->GetPointData()->SetTCoords(coordinates);
   if (this->Texture->GetInput() != picture)
   {
     this->Texture->SetInputData(picture);
   }
-  draw(this->Picture, this->Pieces, viewport);
+  draw(this->Actor, this->Quads, viewport);
+}
+
+PatternLegendSheet::PatternLegendSheet()
+{
+  prepare(this->Even);
+}
+
+PatternLegendSheet::~PatternLegendSheet() = default;
+
+void PatternLegendSheet::drawPicture(
+  vtkViewport* viewport, vtkImageData* picture, const std::vector<LegendPiece>& pieces)
+{
+  this->Swatches.Draw(viewport, picture, pieces);
 }
 
 void PatternLegendSheet::drawRectangles(vtkViewport* viewport,
@@ -118,33 +150,44 @@ void PatternLegendSheet::drawRectangles(vtkViewport* viewport,
   }
 }
 
+// vtkTextActor takes the scale of tiles for the size of fonts in some versions of VTK.
 void PatternLegendSheet::drawText(vtkViewport* viewport, std::size_t index, const std::string& text,
-  vtkTextProperty* font, const std::array<int, 2>& place, double scale)
+  vtkTextProperty* font, const std::array<int, 2>& place, int dotsPerInch)
 {
   while (this->Texts.size() <= index)
   {
-    auto actor = vtkSmartPointer<vtkTextActor>::New();
-    actor->SetTextScaleModeToNone();
-    actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
-    this->Texts.push_back(actor);
+    this->Texts.push_back(std::make_unique<Text>());
   }
-  vtkTextActor* const actor = this->Texts[index];
-  actor->SetInput(text.c_str());
-  vtkTextProperty* const own = actor->GetTextProperty();
-  own->ShallowCopy(font);
-  own->SetFontSize(static_cast<int>(std::lround(scale * font->GetFontSize())));
-  actor->SetPosition(place[0], place[1]);
-  actor->RenderOpaqueGeometry(viewport);
-  actor->RenderOverlay(viewport);
+  Text& own = *this->Texts[index];
+  vtkTextRenderer* const writer = vtkTextRenderer::GetInstance();
+  const std::string key = textKey(text, font, dotsPerInch);
+  if (own.Key != key && writer)
+  {
+    vtkNew<vtkTextProperty> plain;
+    plain->ShallowCopy(font);
+    plain->SetJustificationToLeft();
+    plain->SetVerticalJustificationToBottom();
+    const bool written =
+      writer->RenderString(plain, text, own.Picture, own.Size.data(), dotsPerInch);
+    own.Key = written ? key : std::string();
+  }
+  if (!own.Key.empty() && own.Size[0] > 0 && own.Size[1] > 0)
+  {
+    const int x =
+      place[0] - before(font->GetJustification(), VTK_TEXT_CENTERED, VTK_TEXT_LEFT, own.Size[0]);
+    const int y = place[1] -
+      before(font->GetVerticalJustification(), VTK_TEXT_CENTERED, VTK_TEXT_BOTTOM, own.Size[1]);
+    own.Drawn.Draw(viewport, own.Picture, { { { 0, 0, own.Size[0], own.Size[1] }, { x, y } } });
+  }
 }
 
 void PatternLegendSheet::releaseGraphicsResources(vtkWindow* window)
 {
-  this->Picture->ReleaseGraphicsResources(window);
+  this->Swatches.Actor->ReleaseGraphicsResources(window);
   this->Even->ReleaseGraphicsResources(window);
   for (const auto& text : this->Texts)
   {
-    text->ReleaseGraphicsResources(window);
+    text->Drawn.Actor->ReleaseGraphicsResources(window);
   }
 }
 

@@ -8,16 +8,15 @@
 
 #include "PatternLegendLayout.h"
 #include "vtkNew.h"
-#include "vtkSmartPointer.h"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 class vtkActor2D;
 class vtkImageData;
 class vtkPolyData;
-class vtkTextActor;
 class vtkTextProperty;
 class vtkTexture;
 class vtkTexturedActor2D;
@@ -44,19 +43,34 @@ public:
     vtkViewport* viewport, vtkImageData* picture, const std::vector<LegendPiece>& pieces);
   void drawRectangles(vtkViewport* viewport, const std::vector<LegendRectangle>& rectangles,
     const std::array<double, 3>& color);
+  /// At a place that the font's justification tells of, whatever the window says of its resolution.
   /// index: of the texts of a picture, so that those of the picture before serve again.
-  /// scale: factor on the font's size.
   void drawText(vtkViewport* viewport, std::size_t index, const std::string& text,
-    vtkTextProperty* font, const std::array<int, 2>& place, double scale);
+    vtkTextProperty* font, const std::array<int, 2>& place, int dotsPerInch);
   void releaseGraphicsResources(vtkWindow* window);
 
 private:
-  vtkNew<vtkPolyData> Pieces;
-  vtkNew<vtkTexture> Texture;
-  vtkNew<vtkTexturedActor2D> Picture;
+  // What draws pieces of a picture.
+  struct Pieces
+  {
+    Pieces();
+    void Draw(vtkViewport* viewport, vtkImageData* picture, const std::vector<LegendPiece>& pieces);
+    vtkNew<vtkPolyData> Quads;
+    vtkNew<vtkTexture> Texture;
+    vtkNew<vtkTexturedActor2D> Actor;
+  };
+  struct Text
+  {
+    std::string Key; // all that it depends on
+    vtkNew<vtkImageData> Picture;
+    std::array<int, 2> Size{};
+    Pieces Drawn;
+  };
+
+  Pieces Swatches;
   vtkNew<vtkPolyData> Rectangles;
   vtkNew<vtkActor2D> Even;
-  std::vector<vtkSmartPointer<vtkTextActor>> Texts;
+  std::vector<std::unique_ptr<Text>> Texts;
 };
 
 } // namespace hachure

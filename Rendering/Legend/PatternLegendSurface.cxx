@@ -96,8 +96,7 @@ public:
     for (int i = 0; i <= columns; ++i)
     {
       const double share = static_cast<double>(i) / columns;
-      this->AddPair(
-        span.begin + share * (span.end - span.begin), first + share * (last - first));
+      this->AddPair(span.begin + share * (span.end - span.begin), first + share * (last - first));
     }
     if (span.upper > span.end)
     {

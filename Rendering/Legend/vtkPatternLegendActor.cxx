@@ -145,7 +145,8 @@ bool vtkPatternLegendActor::GetSwatch(int index, double values[2], int rectangle
   const auto i = static_cast<std::size_t>(index);
   values[0] = this->Internal->ShownSwatches[i].first;
   values[1] = this->Internal->ShownSwatches[i].last;
-  std::copy(this->Internal->ShownPlaces[i].begin(), this->Internal->ShownPlaces[i].end(), rectangle);
+  std::copy(
+    this->Internal->ShownPlaces[i].begin(), this->Internal->ShownPlaces[i].end(), rectangle);
   return true;
 }
 
@@ -157,8 +158,7 @@ int vtkPatternLegendActor::GetNumberOfShownLabels()
 std::string vtkPatternLegendActor::GetShownLabel(int index)
 {
   const bool exists = index >= 0 && index < this->GetNumberOfShownLabels();
-  return exists ? this->Internal->ShownLabels[static_cast<std::size_t>(index)].text
-                : std::string();
+  return exists ? this->Internal->ShownLabels[static_cast<std::size_t>(index)].text : std::string();
 }
 
 double vtkPatternLegendActor::GetShownLabelPlace(int index)

@@ -56,6 +56,17 @@ double luma(const double* color)
   return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
 }
 
+// Dots per inch that texts have in the whole picture. Tiles of larger pictures come with those of
+// the window or, from ParaView, with as many more as they are larger.
+int logicalResolution(vtkWindow* window)
+{
+  constexpr int pointsPerInch = 72; // the least that windows have
+  const int* tileScale = window->GetTileScale();
+  const int scale = std::max(tileScale[0], tileScale[1]);
+  const int now = window->GetDPI();
+  return now >= scale * pointsPerInch ? now / scale : now;
+}
+
 // How light the ground is that a renderer draws over.
 double backgroundLuma(vtkRenderer* renderer)
 {
@@ -148,6 +159,7 @@ vtkPatternLegendActor::Drawing::Drawing(
   , Window(window)
   , Surface(surface)
   , Key(surface)
+  , Resolution(logicalResolution(window))
 {
   const double pixelScale = surface.style->GetPixelScale();
   this->Scene.pixelsPerLogical = vtkPatternViewport(renderer, pixelScale).PixelsPerLogical;
@@ -157,8 +169,7 @@ hachure::LegendRectangle vtkPatternLegendActor::Drawing::InPixels(
   const hachure::LegendRectangle& logical) const
 {
   const std::array<int, 2> lower = this->InPixels(logical[0], logical[1]);
-  const std::array<int, 2> upper =
-    this->InPixels(logical[0] + logical[2], logical[1] + logical[3]);
+  const std::array<int, 2> upper = this->InPixels(logical[0] + logical[2], logical[1] + logical[3]);
   return { lower[0], lower[1], upper[0] - lower[0], upper[1] - lower[1] };
 }
 
@@ -175,11 +186,10 @@ int vtkPatternLegendActor::Drawing::LineHeight(vtkTextProperty* font) const
   constexpr double pointsPerInch = 72.0;
   constexpr double lineHeight = 1.25; // of the font's size
   return static_cast<int>(
-    std::ceil(lineHeight * font->GetFontSize() * this->Window->GetDPI() / pointsPerInch));
+    std::ceil(lineHeight * font->GetFontSize() * this->Resolution / pointsPerInch));
 }
 
-int vtkPatternLegendActor::Drawing::TextWidth(
-  vtkTextProperty* font, const std::string& text) const
+int vtkPatternLegendActor::Drawing::TextWidth(vtkTextProperty* font, const std::string& text) const
 {
   constexpr double widthOfLetter = 0.5; // of a line's height, generously
   return static_cast<int>(
@@ -247,17 +257,16 @@ void vtkPatternLegendActor::LabelValues(Drawing& drawing)
   {
     drawing.Labels.clear();
     int needed = drawing.LineHeight(this->LabelTextProperty);
-    for (const double value : this->RoundLabels ? hachure::roundValues(range, count)
-                                                : hachure::evenValues(range, count))
+    for (const double value :
+      this->RoundLabels ? hachure::roundValues(range, count) : hachure::evenValues(range, count))
     {
       const std::string text = this->Number(value);
       drawing.Labels.push_back({ (value - range[0]) / (range[1] - range[0]), text });
       const int width = drawing.TextWidth(this->LabelTextProperty, text);
       needed = vertical ? needed : std::max(needed, width);
     }
-    const double apart = drawing.Labels.size() > 1
-      ? room * (drawing.Labels[1].place - drawing.Labels[0].place)
-      : room;
+    const double apart =
+      drawing.Labels.size() > 1 ? room * (drawing.Labels[1].place - drawing.Labels[0].place) : room;
     if (apart >= needed)
     {
       return;
@@ -270,8 +279,7 @@ void vtkPatternLegendActor::LabelEnds(Drawing& drawing)
 {
   const bool shines = drawing.Key.axis() == hachure::LegendAxis::Highlight;
   const std::string low = !this->LowLabel.empty() ? this->LowLabel : shines ? "dull" : "light";
-  const std::string high =
-    !this->HighLabel.empty() ? this->HighLabel : shines ? "shining" : "dark";
+  const std::string high = !this->HighLabel.empty() ? this->HighLabel : shines ? "shining" : "dark";
   const auto total = static_cast<double>(drawing.Scene.swatches.size());
   const double inside = drawing.Mode == STEPS ? 0.5 / total : 0.0; // the middle of a swatch
   drawing.Labels = { { inside, low }, { 1.0 - inside, high } };
@@ -292,15 +300,13 @@ void vtkPatternLegendActor::LabelSwatches(Drawing& drawing)
     const auto& swatch = drawing.Scene.swatches[std::min(i, count - 1)];
     const auto& place = drawing.Scene.layout.swatches[std::min(i, count - 1)];
     const double begin = place[along] - row[along];
-    const double at = borders ? begin + (i == count ? place[along + 2] : 0)
-                              : begin + 0.5 * place[along + 2];
+    const double at =
+      borders ? begin + (i == count ? place[along + 2] : 0) : begin + 0.5 * place[along + 2];
     const std::string text = drawing.Mode == CATEGORIES
       ? swatch.name
       : this->Number(borders ? drawing.Borders[i] : swatch.first);
     drawing.Labels.push_back({ at / row[along + 2], text });
-    needed = vertical
-      ? needed
-      : std::max(needed, drawing.TextWidth(this->LabelTextProperty, text));
+    needed = vertical ? needed : std::max(needed, drawing.TextWidth(this->LabelTextProperty, text));
   }
   const double apart = static_cast<double>(row[along + 2]) / static_cast<double>(count);
   const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(needed / apart)));
@@ -374,8 +380,7 @@ bool vtkPatternLegendActor::DrawSwatches(Drawing& drawing)
   for (const hachure::LegendRectangle& swatch : drawing.Scene.layout.swatches)
   {
     const hachure::LegendRectangle to = drawing.InPixels(swatch);
-    pieces.push_back(
-      { { to[0] - corner[0], to[1] - corner[1], to[2], to[3] }, { to[0], to[1] } });
+    pieces.push_back({ { to[0] - corner[0], to[1] - corner[1], to[2], to[3] }, { to[0], to[1] } });
     this->Internal->ShownPlaces.push_back(to);
   }
   this->Internal->ShownSwatches = drawing.Scene.swatches;
@@ -427,9 +432,11 @@ void vtkPatternLegendActor::DrawLines(Drawing& drawing)
 void vtkPatternLegendActor::DrawTexts(Drawing& drawing)
 {
   const double grey = backgroundLuma(drawing.Renderer) < 0.5 ? 1.0 : 0.0;
+  const auto resolution =
+    static_cast<int>(std::lround(drawing.Scene.pixelsPerLogical * drawing.Resolution));
   std::size_t index = 0;
-  const auto write = [&](const std::string& text, vtkTextProperty* like, double x, double y,
-                       int across, int upwards)
+  const auto write =
+    [&](const std::string& text, vtkTextProperty* like, double x, double y, int across, int upwards)
   {
     vtkNew<vtkTextProperty> font;
     font->ShallowCopy(like);
@@ -440,8 +447,7 @@ void vtkPatternLegendActor::DrawTexts(Drawing& drawing)
       font->SetColor(grey, grey, grey);
     }
     this->Internal->Sheet.drawText(
-      drawing.Renderer, index++, text, font, drawing.InPixels(x, y),
-      drawing.Scene.pixelsPerLogical);
+      drawing.Renderer, index++, text, font, drawing.InPixels(x, y), resolution);
   };
   const hachure::LegendLayout& layout = drawing.Scene.layout;
   const std::string title = this->TitleText(drawing);
@@ -450,8 +456,8 @@ void vtkPatternLegendActor::DrawTexts(Drawing& drawing)
     write(title, this->TitleTextProperty, layout.title[0], layout.title[1], VTK_TEXT_LEFT,
       VTK_TEXT_TOP);
   }
-  const auto label = [&](const std::string& text, const hachure::LegendRectangle& beside,
-                       double place)
+  const auto label =
+    [&](const std::string& text, const hachure::LegendRectangle& beside, double place)
   {
     const int apart = frameWidth + (drawing.Ticks ? hachure::legendTick : 0) + hachure::legendGap;
     if (drawing.Scene.vertical)

@@ -63,10 +63,11 @@ struct vtkPatternLegendActor::Drawing
   vtkOpenGLRenderWindow* Window;
   hachure::LegendSurface Surface;
   hachure::PatternLegendKey Key;
+  int Resolution; // of texts, dots per inch, before the pixels of the picture count
   hachure::LegendPictureScene Scene;
   int Mode = CONTINUOUS;
-  bool Nan = false;             // the last swatch is for no number
-  std::vector<double> Borders;  // values where steps meet
+  bool Nan = false;            // the last swatch is for no number
+  std::vector<double> Borders; // values where steps meet
   std::vector<hachure::LegendLabel> Labels;
   bool Ticks = false;
   std::array<int, 2> Corner{}; // of the box, logical pixels of the viewport

@@ -35,7 +35,8 @@ def changed(first, second):
 
 
 def inside(box, corner, size):
-    return (box and corner[0] - 0.01 <= box[0] and box[1] <= corner[0] + size[0] + 0.01
+    """Whether a legend is in its place; labels at the ends of a level row reach beyond it."""
+    return (box and corner[0] - 0.04 <= box[0] and box[1] <= corner[0] + size[0] + 0.04
             and corner[1] - 0.01 <= box[2] and box[3] <= corner[1] + size[1] + 0.01)
 
 
@@ -100,7 +101,7 @@ reader.UpdatePipeline()
 large = scene.array(simple.servermanager.Fetch(reader))
 legend = slice(40, 120), slice(90, 180)  # rows and columns of its box
 halved = scene.linear(large).reshape(SIZE[1], 2, SIZE[0], 2, 3).mean(axis=(1, 3))[legend]
-assert abs(halved.mean() - scene.linear(small)[legend].mean()) < 0.05
+assert abs(halved - scene.linear(small)[legend]).mean() < 0.05, abs(halved - scene.linear(small)[legend]).mean()
 simple.Delete(reader)
 interactor.SetRenderWindow(None)
 

@@ -222,7 +222,7 @@ int vtkPatternLegendActor::RenderOverlay(vtkViewport* viewport)
   int drawn = 0;
   try
   {
-    Drawing drawing(renderer, window, this->SurfaceToShow());
+    Drawing drawing(renderer, window, this->Internal->PartOf(window), this->SurfaceToShow());
     if (!hachure::isNumberFormat(this->LabelFormat))
     {
       error = "label format '" + this->LabelFormat +
@@ -299,8 +299,12 @@ void vtkPatternLegendActor::CollectSwatches(Drawing& drawing)
 
 void vtkPatternLegendActor::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Internal->Pictures.erase(window);
-  this->Internal->Sheet.releaseGraphicsResources(window);
+  const auto found = this->Internal->Pictures.find(window);
+  if (found != this->Internal->Pictures.end())
+  {
+    found->second->Sheet.releaseGraphicsResources(window);
+    this->Internal->Pictures.erase(found);
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

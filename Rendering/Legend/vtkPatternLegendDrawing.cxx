@@ -153,10 +153,11 @@ LegendSurface legendSurfaceOf(vtkActor* actor)
 }
 } // namespace hachure
 
-vtkPatternLegendActor::Drawing::Drawing(
-  vtkRenderer* renderer, vtkOpenGLRenderWindow* window, const hachure::LegendSurface& surface)
+vtkPatternLegendActor::Drawing::Drawing(vtkRenderer* renderer, vtkOpenGLRenderWindow* window,
+  Internals::WindowPart& part, const hachure::LegendSurface& surface)
   : Renderer(renderer)
   , Window(window)
+  , Part(part)
   , Surface(surface)
   , Key(surface)
   , Resolution(logicalResolution(window))
@@ -350,11 +351,7 @@ void vtkPatternLegendActor::CollectLabels(Drawing& drawing)
 
 bool vtkPatternLegendActor::DrawSwatches(Drawing& drawing)
 {
-  std::unique_ptr<Internals::WindowPart>& part = this->Internal->Pictures[drawing.Window];
-  if (!part)
-  {
-    part = std::make_unique<Internals::WindowPart>();
-  }
+  Internals::WindowPart* const part = &drawing.Part;
   const std::string key = pictureKey(drawing.Surface, drawing.Key, drawing.Scene);
   auto found = std::find_if(part->Drawn.begin(), part->Drawn.end(),
     [&key](const auto& drawn) { return drawn.first == key; });
@@ -384,7 +381,7 @@ bool vtkPatternLegendActor::DrawSwatches(Drawing& drawing)
     this->Internal->ShownPlaces.push_back(to);
   }
   this->Internal->ShownSwatches = drawing.Scene.swatches;
-  this->Internal->Sheet.drawPicture(drawing.Renderer, found->second, pieces);
+  drawing.Part.Sheet.drawPicture(drawing.Renderer, found->second, pieces);
   return true;
 }
 
@@ -426,7 +423,7 @@ void vtkPatternLegendActor::DrawLines(Drawing& drawing)
   {
     color.fill(backgroundLuma(drawing.Renderer) < 0.5 ? 1.0 : 0.0);
   }
-  this->Internal->Sheet.drawRectangles(drawing.Renderer, lines, color);
+  drawing.Part.Sheet.drawRectangles(drawing.Renderer, lines, color);
 }
 
 void vtkPatternLegendActor::DrawTexts(Drawing& drawing)
@@ -446,7 +443,7 @@ void vtkPatternLegendActor::DrawTexts(Drawing& drawing)
     {
       font->SetColor(grey, grey, grey);
     }
-    this->Internal->Sheet.drawText(
+    drawing.Part.Sheet.drawText(
       drawing.Renderer, index++, text, font, drawing.InPixels(x, y), resolution);
   };
   const hachure::LegendLayout& layout = drawing.Scene.layout;

@@ -30,17 +30,24 @@ LegendSurface legendSurfaceOf(vtkActor* actor);
 
 struct vtkPatternLegendActor::Internals
 {
-  /// Pictures of swatches that were drawn in a window, with all that they depend on. A few, for
-  /// views of several sizes and for screenshots.
+  /// What draws in a window: textures that go from one to another are released in the wrong one.
+  /// Drawn: pictures of swatches with all that they depend on; a few, for views of several sizes
+  /// and for screenshots.
   struct WindowPart
   {
     hachure::PatternLegendPicture Painter;
+    hachure::PatternLegendSheet Sheet;
     std::vector<std::pair<std::string, vtkSmartPointer<vtkImageData>>> Drawn;
   };
 
   std::vector<hachure::LegendSwatch> Categories; // of the user
   std::map<vtkWindow*, std::unique_ptr<WindowPart>> Pictures;
-  hachure::PatternLegendSheet Sheet;
+  WindowPart& PartOf(vtkWindow* window)
+  {
+    std::unique_ptr<WindowPart>& part = this->Pictures[window];
+    part = part ? std::move(part) : std::make_unique<WindowPart>();
+    return *part;
+  }
   std::string Reported;
   std::vector<hachure::LegendSwatch> ShownSwatches;
   std::vector<hachure::LegendRectangle> ShownPlaces; // pixels
@@ -50,8 +57,8 @@ struct vtkPatternLegendActor::Internals
 /// One picture of a legend.
 struct vtkPatternLegendActor::Drawing
 {
-  Drawing(
-    vtkRenderer* renderer, vtkOpenGLRenderWindow* window, const hachure::LegendSurface& surface);
+  Drawing(vtkRenderer* renderer, vtkOpenGLRenderWindow* window, Internals::WindowPart& part,
+    const hachure::LegendSurface& surface);
 
   hachure::LegendRectangle InPixels(const hachure::LegendRectangle& logical) const;
   std::array<int, 2> InPixels(double x, double y) const;
@@ -61,6 +68,7 @@ struct vtkPatternLegendActor::Drawing
 
   vtkRenderer* Renderer;
   vtkOpenGLRenderWindow* Window;
+  Internals::WindowPart& Part;
   hachure::LegendSurface Surface;
   hachure::PatternLegendKey Key;
   int Resolution; // of texts, dots per inch, before the pixels of the picture count

@@ -11,7 +11,7 @@ from paraview.vtk.vtkRenderingUI import vtkGenericRenderWindowInteractor
 from state_scene import clear, two_views_come_back
 
 SIZE = (300, 200)
-TONE = {"PatternTone": "Array", "PatternToneArray": ["POINTS", "Elevation"], "PatternToneRange": [0, 1]}
+TONE = {"PatternTone": "Array", "PatternToneArray": ["POINTS", "Elevation"], "PatternToneRange": [0, 0.9]}
 
 
 def new_source():
@@ -39,6 +39,13 @@ def inside(box, corner, size):
     return (box and corner[0] - 0.04 <= box[0] and box[1] <= corner[0] + size[0] + 0.04
             and corner[1] - 0.01 <= box[2] and box[3] <= corner[1] + size[1] + 0.01)
 
+
+two_views_come_back("pattern-legend-state", (
+    {"PatternLegend": 1, "PatternLegendTitle": "a", "PatternLegendPosition": [0.7, 0.1]},
+    {"PatternLegend": 1, "PatternLegendMode": "Steps", "PatternLegendOrientation": "Horizontal",
+     "PatternLegendSize": [0.15, 0.5]},
+), open_view, 0.5)
+clear()
 
 where = open_view(new_source(), {})
 display = simple.GetDisplayProperties(simple.GetActiveSource(), where)
@@ -70,23 +77,22 @@ for name, value in (
 assert inside(changed(plain, shown), (0.1, 0.3), (0.3, 0.4)), changed(plain, shown)
 
 # The mouse moves it, and the properties know.
-view = where.GetClientSideObject()
 interactor = vtkGenericRenderWindowInteractor()
 where.SMProxy.SetupInteractor(interactor)
+interactor.SetRenderWindow(where.GetRenderWindow())
+interactor.Initialize()
 simple.Render(where)
 
 
-def mouse(event, x, y):
-    interactor.SetEventInformation(int(x * SIZE[0]), int(y * SIZE[1]))
-    interactor.InvokeEvent(event)
+def drag(start, end):
+    """With the left button."""
+    for event, place in (("Move", start), ("Press", start), ("Move", end), ("Release", end), ("Move", (1, 1))):
+        interactor.SetEventInformation(*[round(place[i] * SIZE[i]) for i in range(2)], 0, 0, "\0", 0, "")
+        getattr(interactor, "MouseMoveEvent" if event == "Move" else "LeftButton%sEvent" % event)()
 
 
 camera = list(where.CameraPosition)
-mouse("MouseMoveEvent", 0.2, 0.5)
-mouse("LeftButtonPressEvent", 0.2, 0.5)
-mouse("MouseMoveEvent", 0.4, 0.4)
-mouse("LeftButtonReleaseEvent", 0.4, 0.4)
-mouse("MouseMoveEvent", 0.95, 0.95)
+drag((0.2, 0.5), (0.4, 0.4))
 assert numpy.allclose(display.PatternLegendPosition, [0.3, 0.2], atol=0.01), display.PatternLegendPosition
 assert numpy.allclose(display.PatternLegendSize, [0.3, 0.4], atol=0.01), display.PatternLegendSize
 assert camera == list(where.CameraPosition), "the mouse has moved the view"
@@ -103,11 +109,3 @@ legend = slice(40, 120), slice(90, 180)  # rows and columns of its box
 halved = scene.linear(large).reshape(SIZE[1], 2, SIZE[0], 2, 3).mean(axis=(1, 3))[legend]
 assert abs(halved - scene.linear(small)[legend]).mean() < 0.05, abs(halved - scene.linear(small)[legend]).mean()
 simple.Delete(reader)
-interactor.SetRenderWindow(None)
-
-clear()
-two_views_come_back("pattern-legend-state", (
-    {"PatternLegend": 1, "PatternLegendTitle": "a", "PatternLegendPosition": [0.7, 0.1]},
-    {"PatternLegend": 1, "PatternLegendMode": "Steps", "PatternLegendOrientation": "Horizontal",
-     "PatternLegendSize": [0.15, 0.5]},
-), open_view, 0.5)

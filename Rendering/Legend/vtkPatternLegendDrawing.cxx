@@ -330,19 +330,17 @@ void vtkPatternLegendActor::CollectLabels(Drawing& drawing)
     return;
   }
   const hachure::LegendAxis axis = drawing.Key.axis();
-  if (drawing.Mode == CATEGORIES)
+  const bool light = axis == hachure::LegendAxis::Light || axis == hachure::LegendAxis::Highlight;
+  const bool numbers = !light && axis != hachure::LegendAxis::Even;
+  if (drawing.Mode == CATEGORIES || (numbers && drawing.Mode == STEPS))
   {
     this->LabelSwatches(drawing);
   }
-  else if (axis == hachure::LegendAxis::Light || axis == hachure::LegendAxis::Highlight)
+  else if (light)
   {
     this->LabelEnds(drawing);
   }
-  else if (axis != hachure::LegendAxis::Even && drawing.Mode == STEPS)
-  {
-    this->LabelSwatches(drawing);
-  }
-  else if (axis != hachure::LegendAxis::Even)
+  else if (numbers)
   {
     this->LabelValues(drawing);
   }
@@ -465,7 +463,7 @@ void vtkPatternLegendActor::DrawTexts(Drawing& drawing)
     else
     {
       write(text, this->LabelTextProperty, beside[0] + place * beside[2],
-        beside[1] - apart + hachure::legendGap / 2, VTK_TEXT_CENTERED, VTK_TEXT_TOP);
+        beside[1] - apart + 0.5 * hachure::legendGap, VTK_TEXT_CENTERED, VTK_TEXT_TOP);
     }
   };
   for (const hachure::LegendLabel& shown : drawing.Labels)

@@ -334,6 +334,11 @@ vtkPatternAttributes vtkPatternMapper::Attributes(const Drawing& drawing) const
   return attributes;
 }
 
+void vtkPatternMapper::SetDrawsLegend(bool legend)
+{
+  this->Internal->Channels.SetStandIns(legend);
+}
+
 void vtkPatternMapper::UpdatePatches(std::string& error)
 {
   const unsigned long before = this->Internal->Patches.GetVersion();

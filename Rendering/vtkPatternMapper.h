@@ -276,6 +276,8 @@ public:
   void AppendRuns(vtkPolyData* block, std::vector<float>& records);
   std::vector<hachure::PatternFrame> AnchoredFrames(const hachure::TrackedSamples& samples,
     const hachure::ViewProjection& view, vtkRenderer* renderer);
+  /// Draws a legend's patch, whose arrays stand in for light, see vtkPatternToneChannels.
+  void SetDrawsLegend(bool legend);
   /// Whether the stipples of pictures are kept for CollectStipples. Switched off they are
   /// forgotten.
   void KeepStipples(bool keep);

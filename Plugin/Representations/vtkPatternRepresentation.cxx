@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatternRepresentation.h"
 
+#include "PatternLegendPlace.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPatternLegendActor.h"
+#include "vtkPatternMapper.h"
 #include "vtkPatternPartMapper.h"
 #include "vtkRepresentationPatches.h"
 #include "vtkSurfacePatches.h"
@@ -61,6 +64,7 @@ vtkPatternRepresentation::vtkPatternRepresentation()
   this->MultiBlockMaker->SetInputConnection(this->Whole->GetOutputPort());
   this->UpdatePatches();
   this->UpdateStyle();
+  this->Legend = this->MakeLegend();
 }
 
 //------------------------------------------------------------------------------
@@ -193,6 +197,7 @@ void vtkPatternRepresentation::UpdateColoringParameters()
 {
   this->Superclass::UpdateColoringParameters();
   this->UpdateStyle();
+  this->Legend->Update();
 }
 
 //------------------------------------------------------------------------------
@@ -311,4 +316,6 @@ void vtkPatternRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PatternSamplesPerPatch: " << this->PatternSamplesPerPatch << "\n";
   os << indent << "PatternVelocityArray: " << this->PatternVelocityArray << "\n";
   os << indent << "PatternBackEnd: " << this->GetPatternBackEnd() << "\n";
+  os << indent << "PatternLegend: " << this->GetPatternLegend() << "\n";
+  this->GetLegend()->PrintSelf(os, indent.GetNextIndent());
 }

@@ -36,10 +36,13 @@
 #include "vtkSmartPointer.h"      // For the patches
 
 #include <algorithm> // For the ranges of the setters
+#include <memory>    // For the legend
 #include <string>
 
+class PatternLegendPlace;
 class vtkMultiBlockDataSet;
 class vtkNoiseLayer;
+class vtkPatternLegendActor;
 class vtkRepresentationPatches;
 class vtkWholeSurface;
 
@@ -741,6 +744,67 @@ public:
   int GetPatternBackEnd();
   ///@}
 
+  ///@{
+  /** Whether the view has a legend of the patterns, see vtkPatternLegendActor; default 0. */
+  void SetPatternLegend(int shown);
+  int GetPatternLegend();
+  ///@}
+
+  ///@{
+  /** Lower left corner and size of the legend, as parts of the view; the mouse changes them, too.
+   * Defaults (0.82, 0.2) and (0.16, 0.6). */
+  void SetPatternLegendPosition(double x, double y);
+  double* GetPatternLegendPosition() VTK_SIZEHINT(2);
+  void SetPatternLegendSize(double width, double height);
+  double* GetPatternLegendSize() VTK_SIZEHINT(2);
+  ///@}
+
+  ///@{
+  /** Title of the legend; empty, the default: the name of the array of the tone. */
+  void SetPatternLegendTitle(const char* title);
+  const char* GetPatternLegendTitle();
+  ///@}
+
+  ///@{
+  /** vtkPatternLegendActor's HORIZONTAL (0) or VERTICAL (1, the default); its modes, AUTOMATIC (0,
+   * the default) to CATEGORIES (3); number of even swatches, 0 to 64, 0 (default): those of the
+   * tone. */
+  void SetPatternLegendOrientation(int orientation);
+  int GetPatternLegendOrientation();
+  void SetPatternLegendMode(int mode);
+  int GetPatternLegendMode();
+  void SetPatternLegendSteps(int steps);
+  int GetPatternLegendSteps();
+  ///@}
+
+  ///@{
+  /** How many numbers there are at most beside a continuous swatch, 0 to 64, default 5; and their
+   * format, as printf takes it for one double, default "%.4g". */
+  void SetPatternLegendLabels(int labels);
+  int GetPatternLegendLabels();
+  void SetPatternLegendLabelFormat(const char* format);
+  const char* GetPatternLegendLabelFormat();
+  ///@}
+
+  ///@{
+  /** Whether there is a swatch for data that is not a number; default 0. */
+  void SetPatternLegendNan(int shown);
+  int GetPatternLegendNan();
+  ///@}
+
+  ///@{
+  /** Size of swatches across their row, pixels, 4 to 1000, default 36; sizes of the fonts, points,
+   * 4 to 200, default 14 and 12. */
+  void SetPatternLegendThickness(int pixels);
+  int GetPatternLegendThickness();
+  void SetPatternLegendTitleFontSize(int points);
+  int GetPatternLegendTitleFontSize();
+  void SetPatternLegendLabelFontSize(int points);
+  int GetPatternLegendLabelFontSize();
+  ///@}
+
+  void SetVisibility(bool visible) override;
+
 protected:
   vtkPatternRepresentation();
   ~vtkPatternRepresentation() override;
@@ -748,6 +812,8 @@ protected:
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
   void UpdateColoringParameters() override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
 
   /** Replaces in a style what the properties ask for. */
   virtual void AdjustStyle(vtkPatternStyle* style);
@@ -830,6 +896,8 @@ private:
   void AdjustMarksMotion(vtkImagePatternLayer* layer);
   void AdjustNoise(vtkNoiseLayer* layer);
   vtkSmartPointer<vtkImageData> ReadPicture();
+  std::unique_ptr<PatternLegendPlace> MakeLegend();
+  vtkPatternLegendActor* GetLegend();
 
   bool StyleChanged = true;
   std::string PatternStyle;
@@ -916,6 +984,9 @@ private:
   std::string PatternFeatureArrayName;
   int PatternSamplesPerPatch = 0;
   std::string PatternVelocityArray = "None";
+
+  std::unique_ptr<PatternLegendPlace> Legend;
+  std::string LegendText; // that a getter hands out
 };
 
 #endif

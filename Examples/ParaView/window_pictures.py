@@ -22,8 +22,10 @@ import steps  # pylint: disable=wrong-import-position
 
 SIZE = (1200, 760)
 PLAYED = "is finished"  # what ParaView says after the last step
-STILL = 15.0  # seconds without a change on the screen; dialogs keep ParaView from saying that it has played
+STILL = 60.0  # seconds without a change on the screen; dialogs keep ParaView from saying that it has played
 LIMIT = 300.0  # seconds that the steps may take
+
+SEARCH = steps.PANEL + "SearchBox/SearchLineEdit"
 
 skull = [
     steps.open_file(os.path.join(ROOT, "Examples/Data/skull.vti")),
@@ -31,10 +33,17 @@ skull = [
     steps.menu("menuFilters", "Common", "Contour"),
     steps.apply(),
 ]
+turned = [
+    steps.click(steps.MAIN + "pipelineBrowserDock/pipelineBrowser", "14,10,/0:0/0:1"),  # the eye of the file
+    steps.event(steps.MAIN + "cameraToolbar/actionPositiveY", "activate"),
+    steps.drag((0.5, 0.5), (0.4, 0.46)),
+    steps.event(steps.MAIN + "cameraToolbar/actionZoomToData", "activate"),
+]
 PICTURES = {
-    "window-plugins": [steps.menu("menuTools", "actionManage_Plugins")],
     "window-surface": skull,
-    "window-pattern": skull + [steps.represent("Pattern")],
+    "window-pattern": skull + turned + [steps.represent("Pattern")],
+    "window-search": skull + turned + [steps.represent("Noise"), steps.event(SEARCH, "set_string", "noise")],
+    "window-menu": skull + turned + steps.open_menu("menuFilters", "Hachure"),
 }
 
 
@@ -64,7 +73,7 @@ def when_still(virtual, process, log_name):
             printed = log.read()
         if "Success =  false" in printed or process.poll() is not None or now - begin > LIMIT:
             sys.exit("error: the steps were not played:\n" + printed)
-        still = STILL if PLAYED not in printed else STILL / 5
+        still = STILL if PLAYED not in printed else STILL / 15
         if "Playing" in printed and now - since > still and (pixels != pixels[0, 0]).any():
             return pixels
 

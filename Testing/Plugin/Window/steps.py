@@ -30,6 +30,17 @@ def menu(*names):
     return event(place, "activate", names[0]) + event("/".join([place, *names[:-1]]), "activate", names[-1])
 
 
+def open_menu(name, submenu):
+    """Opens a menu and a submenu of it, and leaves them open."""
+    place = MAIN + "menubar"
+    return [event(place, "activate", name), event(place + "/" + name, "activate", submenu)]
+
+
+def click(place, where):
+    """Clicks a widget with the left button; where is x,y in pixels, and for a list ,/row:column."""
+    return event(place, "mousePress", "1,1,0," + where) + event(place, "mouseRelease", "1,0,0," + where)
+
+
 def open_file(file_name):
     """Opens a file of data, not applied."""
     return menu("menu_File", "actionFileOpen") + event(MAIN + "FileOpenDialog", "filesSelected", file_name)

@@ -3,7 +3,7 @@
 """window_pictures.py [FOLDER [NAME...]]: draws the pictures of ParaView's window in Plugin/README.md.
 
 Plays the steps of a user in the real window on a virtual screen, with the plugin of build/paraview (or of
-$HACHURE_BUILD), into Examples/Gallery or FOLDER. Needs the packages paraview and xvfb, and libqt5svg5 for the
+$HACHURE_BUILD), into its own folder or FOLDER. Needs the packages paraview and xvfb, and libqt5svg5 for the
 icons of the window.
 """
 
@@ -98,4 +98,4 @@ def main(folder, names):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "Examples/Gallery"), sys.argv[2:])
+    main(sys.argv[1] if len(sys.argv) > 1 else HERE, sys.argv[2:])

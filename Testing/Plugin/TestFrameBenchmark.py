@@ -10,7 +10,7 @@ import sys
 script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../Benchmarks/paraview_frames.py")
 plugin, options = sys.argv[1], dict(zip(sys.argv[2::2], sys.argv[3::2]))
 result = os.path.join(options["-T"], "paraview-frames.json")
-LABELS = ["Surface", "Surface LIC", "Pattern", "Noise", "Stipple", "View-dependent Texture"]
+LABELS = ["Surface", "Surface LIC", "Pattern"]
 small = ["--triangles", "1000", "--size", "160x90", "--frames", "1", "--only", ",".join(LABELS)]
 sys.argv = [script, plugin, *small, "--json", result]
 runpy.run_path(script, run_name="__main__")

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatternRepresentation.h"
 
+#include "RepresentationFile.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPatternMapper.h"
@@ -38,13 +40,17 @@ int MethodOf(int patches)
 
 //------------------------------------------------------------------------------
 vtkPatternRepresentation::vtkPatternRepresentation()
-  : PatternStyle(vtkPatternStyle::GetDefaultPresetName())
+  : Loaded(vtkSmartPointer<vtkPatternStyle>::New())
+  , LoadedFile(std::make_unique<RepresentationFile>())
+  , PictureFile(std::make_unique<RepresentationFile>())
+  , PatternStyle(vtkPatternStyle::GetDefaultPresetName())
 {
   this->Mapper->Delete();
   this->LODMapper->Delete();
   auto* mapper = vtkPatternMapper::New();
   auto* mapperLOD = vtkPatternMapper::New();
   mapperLOD->SetTrackedMapper(mapper);
+  mapperLOD->SetStyle(mapper->GetStyle());
   // The view gives the mapper another producer for every piece of data.
   mapper->SetInputOrigin(this->GeometryFilter);
   // The base class set these on the mapper that was replaced; selections need them.
@@ -204,14 +210,12 @@ void vtkPatternRepresentation::UpdateStyle()
   {
     return;
   }
-  this->StyleChanged = false; // also when it cannot be loaded: one error, not one per picture
+  this->StyleChanged = false;
+  this->LoadStyle();
   vtkNew<vtkPatternStyle> style;
-  if (this->LoadStyle(style))
-  {
-    this->AdjustStyle(style);
-    static_cast<vtkPatternMapper*>(this->Mapper)->SetStyle(style);
-    static_cast<vtkPatternMapper*>(this->LODMapper)->SetStyle(style);
-  }
+  style->CopyFrom(this->Loaded);
+  this->AdjustStyle(style);
+  this->GetStyle()->CopyFrom(style);
 }
 
 //------------------------------------------------------------------------------
@@ -221,10 +225,18 @@ vtkPatternStyle* vtkPatternRepresentation::GetStyle()
 }
 
 //------------------------------------------------------------------------------
-bool vtkPatternRepresentation::LoadStyle(vtkPatternStyle* style)
+void vtkPatternRepresentation::LoadStyle()
 {
-  return this->PatternStyleFile.empty() ? style->LoadPreset(this->PatternStyle)
-                                        : style->LoadFile(this->PatternStyleFile);
+  const std::string name = this->PatternStyleFile.empty() ? this->PatternStyle : std::string();
+  const bool newFile = this->LoadedFile->IsNew(this->PatternStyleFile);
+  if (newFile || name != this->LoadedName)
+  {
+    this->LoadedName = name; // also when it cannot be loaded: one error, not one per change
+    vtkNew<vtkPatternStyle> style;
+    const bool loaded =
+      name.empty() ? style->LoadFile(this->PatternStyleFile) : style->LoadPreset(name);
+    this->Loaded = loaded ? style.Get() : this->Loaded.Get();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -35,8 +35,11 @@
 #include "vtkSmartPointer.h"      // For the patches
 
 #include <algorithm> // For the ranges of the setters
+#include <memory>    // For the files
 #include <string>
 
+class RepresentationFile;
+class vtkImageData;
 class vtkNoiseLayer;
 class vtkRepresentationPatches;
 
@@ -751,7 +754,7 @@ protected:
    * picture. */
   void UpdateStyle();
 
-  /** The style that the last UpdateStyle() has made. */
+  /** The style that is drawn, as the last UpdateStyle() has left it; always the same object. */
   vtkPatternStyle* GetStyle();
 
   // Calls the function with every layer of a type.
@@ -809,7 +812,7 @@ private:
   }
 
   void UpdatePatches();
-  bool LoadStyle(vtkPatternStyle* style);
+  void LoadStyle();
   void AdjustOutline(vtkPatternStyle* style);
   void AdjustMotion(vtkPatternStyle* style);
   void AdjustInk(vtkPatternLayer* layer);
@@ -824,6 +827,11 @@ private:
   vtkSmartPointer<vtkImageData> ReadPicture();
 
   bool StyleChanged = true;
+  vtkSmartPointer<vtkPatternStyle> Loaded; // as it is without the properties
+  std::string LoadedName;
+  std::unique_ptr<RepresentationFile> LoadedFile;
+  vtkSmartPointer<vtkImageData> Picture;
+  std::unique_ptr<RepresentationFile> PictureFile;
   std::string PatternStyle;
   std::string PatternStyleFile;
   double PatternScale = 1.0;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RepresentationFile.h"
 
+#include "vtkPVSession.h"
+#include "vtkProcessModule.h"
+
 #include "vtksys/SystemTools.hxx"
 
 //------------------------------------------------------------------------------
@@ -24,4 +27,13 @@ bool RepresentationFile::IsNew(const std::string& fileName)
   const bool isNew = !(state == this->Known);
   this->Known = state;
   return isNew;
+}
+
+//------------------------------------------------------------------------------
+bool RepresentationFile::IsWriter()
+{
+  auto* const processes = vtkProcessModule::GetProcessModule();
+  auto* const session = vtkPVSession::SafeDownCast(processes->GetActiveSession());
+  return (!session || session->HasProcessRole(vtkPVSession::DATA_SERVER)) &&
+    processes->GetPartitionId() == 0;
 }

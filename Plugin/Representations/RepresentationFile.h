@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Hachure contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A file that a representation has read: whether it must be read again.
+ * A file that a representation has read: whether it must be read again, and who writes files.
  */
 #ifndef RepresentationFile_h
 #define RepresentationFile_h
@@ -13,6 +13,9 @@ class RepresentationFile
 public:
   /// Whether this is not the file of the last call, or has changed since. Empty: no file.
   bool IsNew(const std::string& fileName);
+
+  /// Whether this process is the first one of those with the files.
+  static bool IsWriter();
 
 private:
   struct State

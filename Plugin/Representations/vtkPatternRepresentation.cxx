@@ -94,6 +94,38 @@ const char* vtkPatternRepresentation::GetPatternStyleFile()
 }
 
 //------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternStyleSaveName(const char* fileName)
+{
+  this->PatternStyleSaveName = Text(fileName);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPatternRepresentation::GetPatternStyleSaveName()
+{
+  return this->PatternStyleSaveName.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SavePatternStyle()
+{
+  this->UpdateStyle();
+  const std::string unsaved = this->GetUnsaved();
+  if (this->PatternStyleSaveName.empty())
+  {
+    vtkErrorMacro("There is no name of a file that the style could be saved to.");
+  }
+  else if (!unsaved.empty())
+  {
+    vtkErrorMacro(
+      "The style was not saved to \"" << this->PatternStyleSaveName << "\". " << unsaved);
+  }
+  else if (RepresentationFile::IsWriter())
+  {
+    this->GetStyle()->SaveFile(this->PatternStyleSaveName);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkPatternRepresentation::SetPatternToneArray(int vtkNotUsed(index), int vtkNotUsed(port),
   int vtkNotUsed(connection), int association, const char* name)
 {
@@ -245,6 +277,7 @@ void vtkPatternRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PatternStyle: " << this->PatternStyle << "\n";
   os << indent << "PatternStyleFile: " << this->PatternStyleFile << "\n";
+  os << indent << "PatternStyleSaveName: " << this->PatternStyleSaveName << "\n";
   os << indent << "PatternScale: " << this->PatternScale << "\n";
   os << indent << "PatternAngle: " << this->PatternAngle << "\n";
   os << indent << "PatternInk: " << this->PatternInk << "\n";

@@ -88,6 +88,19 @@ public:
   ///@}
 
   ///@{
+  /** The style file that SavePatternStyle() writes. Default empty: none. */
+  void SetPatternStyleSaveName(const char* fileName);
+  const char* GetPatternStyleSaveName();
+  ///@}
+
+  /** Writes the style that is drawn, with all that the properties replace in it, so that a new
+   * representation with this PatternStyleFile draws the same; patches, velocities and back ends are
+   * none of a style's. Of several processes the first one of the server writes. An error without a
+   * file name, where it cannot be written, and where a layer has a picture or views that are in no
+   * file. */
+  void SavePatternStyle();
+
+  ///@{
   /** Factor on the size of the patterns. Range 0.01 to 100, default 1. */
   void SetPatternScale(double scale)
   {
@@ -757,6 +770,10 @@ protected:
   /** The style that is drawn, as the last UpdateStyle() has left it; always the same object. */
   vtkPatternStyle* GetStyle();
 
+  /** What must be saved before the style that is drawn can be, in a sentence; empty where all is in
+   * files. */
+  virtual std::string GetUnsaved() { return {}; }
+
   // Calls the function with every layer of a type.
   template <class Layer, class Function>
   static void ForEachLayer(vtkPatternStyle* style, const Function& function)
@@ -834,6 +851,7 @@ private:
   std::unique_ptr<RepresentationFile> PictureFile;
   std::string PatternStyle;
   std::string PatternStyleFile;
+  std::string PatternStyleSaveName;
   double PatternScale = 1.0;
   double PatternAngle = 0.0;
   int PatternInk = AS_IN_STYLE;

@@ -16,7 +16,7 @@ tone.update(InkOpacity=0.7, Paper="Color", PaperColor=[0.9, 1 / 3, 0.7])
 paint("tile.png", waves(64))
 paint("spot.png", WHITE)
 tile, spot = (os.path.join(folder(), name) for name in ("tile.png", "spot.png"))
-views = manifest("views", painted("waves", waves(), size=256), painted("front", waves(period=60), (0, 3, 0.5), 50, 256))
+views = manifest("views", painted("waves", waves(64, 16), size=64), painted("front", WHITE, (0, 3, 0.5), 50), finestLevel=2)
 KINDS = {
     "Pattern": dict(tone, Style="halftone", Kind="Image", ImageFile=tile, Scale=0.9, Outline="On", Seed=7),
     "Noise": dict(tone, Kind="Spot", SpotImage=spot, Angle=33, Ink="Color", InkColor=[0.1, 0.2, 0.7]),
@@ -62,9 +62,6 @@ for kind, properties in KINDS.items():
     where, display = show(kind, StyleFile=file_name)
     loaded = scene.picture(where)
     assert (loaded == shown).all(), (kind, scene.difference(loaded, shown))
-    simple.Delete(where)
-    where, display = show(kind)
-    assert scene.difference(scene.picture(where), shown) > 1, kind
     simple.Delete(where)
 
 # Views that are in no file, or in another state, would be lost: the manifest first.

@@ -14,14 +14,14 @@ ball = simple.Elevation(Input=ball, LowPoint=[0, -0.5, 0], HighPoint=[0, 0.5, 0]
 tone = {"Tone": "Array", "ToneArray": ["POINTS", "Elevation"], "ToneRange": [0.1, 1.3], "ToneGamma": 1.3}
 tone.update(InkOpacity=0.7, Paper="Color", PaperColor=[0.9, 1 / 3, 0.7])
 paint("tile.png", waves(64))
-paint("spot.png", WHITE)
+paint("spot.png", waves(64, 40))
 tile, spot = (os.path.join(folder(), name) for name in ("tile.png", "spot.png"))
-views = manifest("views", painted("waves", waves(64, 16), size=64), painted("front", WHITE, (0, 3, 0.5), 50), finestLevel=2)
+views = manifest("views", painted("waves", waves(64, 32), size=64), painted("front", WHITE, (0, 3, 0.5), 50), finestLevel=2)
 KINDS = {
     "Pattern": dict(tone, Style="halftone", Kind="Image", ImageFile=tile, Scale=0.9, Outline="On", Seed=7),
     "Noise": dict(tone, Kind="Spot", SpotImage=spot, Angle=33, Ink="Color", InkColor=[0.1, 0.2, 0.7]),
     "Stipple": dict(tone, Size=3.3, Carrier="Size", NumberOfPoints=3000, Refinement="Off", Scale=1.2),
-    LABEL: {"Manifest": views, "Base": "What lies below", "Paper": "Color", "InkOpacity": 0.8, "OutlineWidth": 3},
+    LABEL: {"Manifest": views, "Level": "One for all", "InkOpacity": 0.8, "Outline": "On", "OutlineWidth": 3},
 }
 
 
@@ -69,6 +69,8 @@ where, display = show(LABEL, **KINDS[LABEL])
 scene.picture(where)
 display.InvokeCommand("ViewTextureAddCamera")
 file_name = os.path.join(folder(), "added.json")
+if os.path.exists(file_name):
+    os.remove(file_name)
 text = save(display, LABEL, file_name)
 assert "added.json" in text and "manifest" in text and not os.path.exists(file_name), text
 display.ViewTextureSaveName = os.path.join(folder(), "added-views.json")

@@ -36,10 +36,12 @@
 #include "vtkSmartPointer.h"      // For the patches
 
 #include <algorithm> // For the ranges of the setters
-#include <memory>    // For the legend
+#include <memory>    // For the files and the legend
 #include <string>
 
 class PatternLegendPlace;
+class RepresentationFile;
+class vtkImageData;
 class vtkMultiBlockDataSet;
 class vtkNoiseLayer;
 class vtkPatternLegendActor;
@@ -89,6 +91,19 @@ public:
   void SetPatternStyleFile(const char* fileName);
   const char* GetPatternStyleFile();
   ///@}
+
+  ///@{
+  /** The style file that SavePatternStyle() writes. Default empty: none. */
+  void SetPatternStyleSaveName(const char* fileName);
+  const char* GetPatternStyleSaveName();
+  ///@}
+
+  /** Writes the style that is drawn, with all that the properties replace in it, so that a new
+   * representation with this PatternStyleFile draws the same; patches, velocities and back ends are
+   * none of a style's. Of several processes the first one of the server writes. An error without a
+   * file name, where it cannot be written, and where a layer has a picture or views that are in no
+   * file. */
+  void SavePatternStyle();
 
   ///@{
   /** Factor on the size of the patterns. Range 0.01 to 100, default 1. */
@@ -822,8 +837,12 @@ protected:
    * picture. */
   void UpdateStyle();
 
-  /** The style that the last UpdateStyle() has made. */
+  /** The style that is drawn, as the last UpdateStyle() has left it; always the same object. */
   vtkPatternStyle* GetStyle();
+
+  /** What must be saved before the style that is drawn can be, in a sentence; empty where all is in
+   * files. */
+  virtual std::string GetUnsaved() { return {}; }
 
   // Calls the function with every layer of a type.
   template <class Layer, class Function>
@@ -883,7 +902,7 @@ private:
   void SendWhole(vtkInformation* inInfo);
   vtkDataObject* FindWhole(vtkInformation* inInfo);
   void UpdateController();
-  bool LoadStyle(vtkPatternStyle* style);
+  void LoadStyle();
   void AdjustOutline(vtkPatternStyle* style);
   void AdjustMotion(vtkPatternStyle* style);
   void AdjustInk(vtkPatternLayer* layer);
@@ -900,8 +919,14 @@ private:
   vtkPatternLegendActor* GetLegend();
 
   bool StyleChanged = true;
+  vtkSmartPointer<vtkPatternStyle> Loaded; // as it is without the properties
+  std::string LoadedName;
+  std::unique_ptr<RepresentationFile> LoadedFile;
+  vtkSmartPointer<vtkImageData> Picture;
+  std::unique_ptr<RepresentationFile> PictureFile;
   std::string PatternStyle;
   std::string PatternStyleFile;
+  std::string PatternStyleSaveName;
   double PatternScale = 1.0;
   double PatternAngle = 0.0;
   int PatternInk = AS_IN_STYLE;

@@ -34,6 +34,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   IOOggTheora
   IOPLY
   IOXML
+  ParallelCore
   Python
   RenderingCore
   RenderingFreeType

@@ -72,6 +72,7 @@ find_package(VTK REQUIRED PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH COMPONENTS
   InteractionWidgets
   IOExport
   IOImage
+  ParallelCore
   RenderingCore
   RenderingOpenGL2
   jsoncpp

@@ -15,7 +15,8 @@ struct vtkPatternAttributes
 {
   enum Image
   {
-    COLOR,   ///< display-referred colour; alpha: 1 - half drawn edge, a quarter of it without data
+    COLOR,   ///< display-referred colour; alpha: 1 - half drawn edge, a quarter of it without data,
+             ///< 0.03 where another process draws it
     TONE,    ///< tones of four channels
     NORMAL,  ///< normal in view coordinates in one float
     RUN,     ///< first record of the triangles that end at the last vertex
@@ -32,6 +33,7 @@ struct vtkPatternAttributes
   bool Patches = false;      ///< patches are told apart
   bool Runs = false;         ///< triangles are told apart; see TriangleRuns.h
   bool PrimitiveIds = false; ///< blocks and triangles are, where a translucent surface is drawn
+  bool Surroundings = false; ///< some blocks are drawn by other processes; see vtkSurfacePart
 
   bool Has(Image image) const
   {
@@ -71,7 +73,8 @@ struct vtkPatternAttributes
   {
     return this->Surface == other.Surface && this->Colors == other.Colors &&
       this->Outline == other.Outline && this->Patches == other.Patches &&
-      this->Runs == other.Runs && this->PrimitiveIds == other.PrimitiveIds;
+      this->Runs == other.Runs && this->PrimitiveIds == other.PrimitiveIds &&
+      this->Surroundings == other.Surroundings;
   }
 };
 

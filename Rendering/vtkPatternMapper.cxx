@@ -13,6 +13,8 @@
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLookupTable.h"
+#include "vtkMath.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -27,6 +29,7 @@
 #include "vtkRenderer.h"
 #include "vtkSelection.h"
 #include "vtkShaderProgram.h"
+#include "vtkSurfacePart.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -283,7 +286,7 @@ vtkPatternMapper* vtkPatternMapper::GetSteeringMapper()
   {
     return this;
   }
-  const auto blocks = vtkPattern::Blocks(this->TrackedMapper->GetInputDataObject(0, 0));
+  const auto blocks = vtkPattern::Blocks(this->TrackedMapper->GetSurfaceData());
   const bool known = std::any_of(blocks.begin(), blocks.end(),
     [](const vtkPattern::Block& block)
     { return block.Data->GetNumberOfPolys() > 0 || block.Data->GetNumberOfStrips() > 0; });
@@ -312,10 +315,34 @@ void vtkPatternMapper::UpdateChannels()
   }
 }
 
+void vtkPatternMapper::UpdateSurroundings()
+{
+  const auto blocks = vtkPattern::Blocks(this->GetInputDataObject(0, 0));
+  this->Internal->HasSurroundings = std::any_of(blocks.begin(), blocks.end(),
+    [](const vtkPattern::Block& block) { return vtkSurfacePart::IsSurroundings(block.Data); });
+}
+
+bool vtkPatternMapper::GetHasSurroundings() const
+{
+  return this->Internal->HasSurroundings;
+}
+
+vtkPatternAttributes vtkPatternMapper::Attributes(const Drawing& drawing) const
+{
+  vtkPatternAttributes attributes = drawing.Part.Compositor.GetAttributes();
+  attributes.Surroundings = this->Internal->HasSurroundings;
+  return attributes;
+}
+
+void vtkPatternMapper::SetDrawsLegend(bool legend)
+{
+  this->Internal->Channels.SetStandIns(legend);
+}
+
 void vtkPatternMapper::UpdatePatches(std::string& error)
 {
   const unsigned long before = this->Internal->Patches.GetVersion();
-  this->Internal->Patches.Collect(this->GetInputDataObject(0, 0), this->PatchArrayName, error);
+  this->Internal->Patches.Collect(this->GetSurfaceData(), this->PatchArrayName, error);
   if (this->Internal->Patches.GetVersion() != before || this->Internal->PatchesBeginAnew)
   {
     this->Internal->PatchesBeginAnew = false;
@@ -344,6 +371,61 @@ void vtkPatternMapper::UpdateTextureCoordinates(bool needed)
 bool vtkPatternMapper::GetUsesTextureCoordinates() const
 {
   return this->Internal->UsesTextureCoordinates;
+}
+
+void vtkPatternMapper::SetWholeSurface(vtkDataObject* surface)
+{
+  if (surface != this->WholeSurface)
+  {
+    this->WholeSurface = surface;
+    this->Modified();
+  }
+}
+
+vtkDataObject* vtkPatternMapper::GetWholeSurface()
+{
+  return this->WholeSurface;
+}
+
+vtkDataObject* vtkPatternMapper::GetSurfaceData()
+{
+  return this->WholeSurface ? this->WholeSurface.Get() : this->GetInputDataObject(0, 0);
+}
+
+void vtkPatternMapper::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->Controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkPatternMapper::GetController()
+{
+  return this->Controller;
+}
+
+double* vtkPatternMapper::GetBounds()
+{
+  if (!this->WholeSurface)
+  {
+    return this->Superclass::GetBounds();
+  }
+  vtkBoundingBox box;
+  for (const vtkPattern::Block& block : vtkPattern::Blocks(this->WholeSurface))
+  {
+    if (block.Data->GetNumberOfPoints() > 0)
+    {
+      box.AddBounds(block.Data->GetBounds());
+    }
+  }
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (box.IsValid())
+  {
+    box.GetBounds(this->Bounds);
+  }
+  return this->Bounds;
 }
 
 void vtkPatternMapper::SetInputOrigin(vtkAlgorithm* algorithm)
@@ -389,6 +471,7 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
     vtkPatternViewContext::Get(renderer)->BeginFrame(this, actor);
   }
   this->UpdateChannels();
+  this->UpdateSurroundings();
   std::string error = this->Internal->ChannelError;
   this->UpdatePatches(error);
   WindowPart& part = this->Internal->Windows[window];
@@ -461,7 +544,7 @@ void vtkPatternMapper::RenderForward(Drawing& drawing)
   vtkPatternShaderInjector* injector = this->Internal->ForwardInjector;
   injector->Configure(vtkPatternShaderInjector::FORWARD, this->Internal->Channels,
     this->Internal->Lights.GetCount(), this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
-    drawing.Part.Compositor.GetAttributes(), drawing.Part.Compositor.GetShaderText(true));
+    this->Attributes(drawing), drawing.Part.Compositor.GetShaderText(true));
   injector->UniformSetter = [&](vtkShaderProgram* program)
   {
     this->Internal->Lights.SetUniforms(program, this->Internal->Channels);
@@ -505,7 +588,7 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
     vtkPatternShaderInjector* injector = this->Internal->AttributeInjector;
     injector->Configure(vtkPatternShaderInjector::ATTRIBUTES, this->Internal->Channels,
       this->Internal->Lights.GetCount(), this->Style->GetPaperSource() == vtkPatternStyle::FLAT,
-      drawing.Part.Compositor.GetAttributes(), std::string());
+      this->Attributes(drawing), std::string());
     injector->UniformSetter = [this](vtkShaderProgram* program)
     { this->Internal->Lights.SetUniforms(program, this->Internal->Channels); };
     this->DrawAttributes(drawing, injector);
@@ -527,6 +610,7 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
     if (drawing.Measures)
     {
       drawing.Track->Rectangle = drawing.Rectangle;
+      drawing.Track->Visibility.SetShared(this->Controller != nullptr);
       drawing.Track->Visibility.MeasureOwn(drawing.Window, drawing.Track->Samples, modelToClip,
         drawing.Viewport.Drawn, resources.SurfaceDepth);
     }
@@ -641,6 +725,8 @@ void vtkPatternMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Style: " << this->Style.Get() << "\n";
   os << indent << "TrackedMapper: " << this->TrackedMapper.Get() << "\n";
   os << indent << "CameraPath: " << this->CameraPath.Get() << "\n";
+  os << indent << "WholeSurface: " << this->WholeSurface.Get() << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "InputOrigin: " << this->GetInputOrigin() << "\n";
   os << indent << "AnimationTime: " << this->AnimationTime << "\n";
   os << indent << "PatchArrayName: " << this->PatchArrayName << "\n";

@@ -60,8 +60,11 @@ struct ViewProjection;
 #endif
 
 class vtkCameraInterpolator;
+class vtkDataObject;
+class vtkMultiProcessController;
 class vtkPatternShaderInjector;
 class vtkPatternStyle;
+struct vtkPatternAttributes;
 class vtkPolyData;
 class vtkShaderProgram;
 class vtkTable;
@@ -102,6 +105,28 @@ public:
    */
   virtual void SetInputOrigin(vtkAlgorithm* algorithm);
   virtual vtkAlgorithm* GetInputOrigin();
+  ///@}
+
+  ///@{
+  /**
+   * The surface that patterns are made of, where the input is the part of it that this process
+   * draws: output 1 of vtkWholeSurface, with an input from vtkSurfacePart. Null, the default: the
+   * input. Patterns then move and fade alike in all processes; Controller must be set too, unless
+   * this process draws all of the surface.
+   */
+  virtual void SetWholeSurface(vtkDataObject* surface);
+  virtual vtkDataObject* GetWholeSurface();
+  ///@}
+
+  ///@{
+  /**
+   * The processes that draw parts of one surface, each into its own picture of the same view, to be
+   * put together by depth. With it, what is visible of the surface is found out together, once at
+   * the start of every frame of a renderer: all processes must render the same frames. Null, the
+   * default: this one alone.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  virtual vtkMultiProcessController* GetController();
   ///@}
 
   ///@{
@@ -226,9 +251,14 @@ public:
   virtual bool GetPatchResiduals(vtkRenderer* renderer, double minimumFacing, vtkTable* residuals);
 
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
+  /** Of the whole surface, where there is one. */
+  using Superclass::GetBounds;
+  double* GetBounds() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 #ifndef __VTK_WRAP__
+  /// What patterns are made of: the whole surface, or else the input; internal.
+  vtkDataObject* GetSurfaceData();
   /// What the helpers of this mapper draw now; internal.
   enum class DrawStage{ Stock, Surfaces, Remainder };
   DrawStage GetDrawStage() const
@@ -247,6 +277,8 @@ public:
   /// See vtkPatternSurface.
   void AppendPrimitiveIds(
     vtkPolyData* block, const std::vector<vtkIdType>& cells, std::vector<float>& ids);
+  /// Whether there are blocks that other processes draw.
+  bool GetHasSurroundings() const;
   /// Whether there are buffers of the triangles that end at a vertex; see vtkPatternSurface.
   bool GetUsesRuns() const;
   void AppendRuns(vtkPolyData* block, std::vector<float>& records);
@@ -256,6 +288,8 @@ public:
   unsigned long GetAnchorVersion() const;
   /// The surface as it is now is where marks are made; internal.
   void AnchorSurface();
+  /// Draws a legend's patch, whose arrays stand in for light, see vtkPatternToneChannels.
+  void SetDrawsLegend(bool legend);
   /// Whether the stipples of pictures are kept for CollectStipples. Switched off they are
   /// forgotten.
   void KeepStipples(bool keep);
@@ -287,6 +321,8 @@ private:
   bool DrawsPatterns(vtkRenderer* renderer, vtkActor* actor);
   vtkPatternMapper* GetSteeringMapper();
   void UpdateChannels();
+  void UpdateSurroundings();
+  vtkPatternAttributes Attributes(const Drawing& drawing) const;
   void UpdatePatches(std::string& error);
   void UpdateTextureCoordinates(bool needed);
   void UpdatePrimitiveIds(bool needed);
@@ -309,6 +345,8 @@ private:
   vtkSmartPointer<vtkPatternStyle> Style;
   vtkWeakPointer<vtkPatternMapper> TrackedMapper;
   vtkWeakPointer<vtkAlgorithm> InputOrigin;
+  vtkSmartPointer<vtkDataObject> WholeSurface;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkSmartPointer<vtkCameraInterpolator> CameraPath;
   double AnimationTime = 0.0;
   double ReplayStep = 1.0 / 24.0;

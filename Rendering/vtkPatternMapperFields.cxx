@@ -69,7 +69,7 @@ bool vtkPatternMapper::GetUsesRuns() const
 
 void vtkPatternMapper::UpdateSurface()
 {
-  vtkDataObject* input = this->GetInputDataObject(0, 0);
+  vtkDataObject* input = this->GetSurfaceData();
   vtkAlgorithm* origin = this->InputOrigin;
   this->Internal->Surface.Update(input,
     { origin ? origin : this->GetInputAlgorithm(), this->GetInputConnection(0, 0)->GetIndex(),

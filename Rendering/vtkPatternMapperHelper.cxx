@@ -21,6 +21,7 @@
 #include "vtkRenderer.h"
 #include "vtkSelection.h"
 #include "vtkShaderProgram.h"
+#include "vtkSurfacePart.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -170,6 +171,17 @@ void vtkPatternMapperHelper::SetMapperShaderParameters(
     {
       cellBO.Program->SetUniformi(named.first.c_str(), named.second->Texture->GetTextureUnit());
     }
+  }
+}
+
+void vtkPatternMapperHelper::SetShaderValues(
+  vtkShaderProgram* program, vtkPatternHelperData* data, std::size_t firstPrimitive)
+{
+  this->Superclass::SetShaderValues(program, data, firstPrimitive);
+  if (this->GetMapper()->GetHasSurroundings())
+  {
+    const bool surroundings = vtkSurfacePart::IsSurroundings(vtkPatternHelperPolyData(data));
+    program->SetUniformf("hachureNotDrawn", surroundings ? 1.0f : 0.0f);
   }
 }
 

@@ -43,6 +43,8 @@ protected:
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
   void SetMapperShaderParameters(
     vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetShaderValues(
+    vtkShaderProgram* program, vtkPatternHelperData* data, std::size_t firstPrimitive) override;
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
   void AppendOneBufferObject(vtkRenderer* renderer, vtkActor* actor, vtkPatternHelperData* data,
     vtkIdType& offset, std::vector<unsigned char>& colors, std::vector<float>& normals) override;

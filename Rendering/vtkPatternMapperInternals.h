@@ -52,7 +52,8 @@ struct vtkPatternMapper::Internals
   bool UsesTextureCoordinates = false; // once needed, they stay in the vertex buffers
   bool UsesPrimitiveIds = false;       // the same
   unsigned long IdentifiedCells = 0;   // of the surface, whose ids the buffers hold
-  bool UsesRuns = false;               // the same
+  bool HasSurroundings = false;
+  bool UsesRuns = false; // the same
   unsigned long CellsOfRuns = 0;
   std::map<vtkWindow*, WindowPart> Windows;
   vtkNew<vtkPatternShaderInjector> AttributeInjector;

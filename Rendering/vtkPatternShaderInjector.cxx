@@ -162,6 +162,7 @@ bool vtkPatternShaderInjector::PreReplaceShaderValues(std::string& vertexShader,
   std::string geometryImpl = this->SurfaceText("GSImpl");
   std::string fragmentDec = this->DrawsIds() ? Section("IdsFSDec") : std::string();
   fragmentDec += this->Stage == PEEL ? Section("PeelFSDec") : std::string();
+  fragmentDec += this->Needed.Surroundings ? Section("SurroundingsFSDec") : std::string();
   fragmentDec += Section("Dec") + this->ComposeText + this->SurfaceText("FSDec");
   fragmentDec += this->LightsDeclaration();
   const auto& channels = this->Channels.Get();
@@ -275,12 +276,15 @@ std::string vtkPatternShaderInjector::StageText(bool colors) const
 {
   if (this->Stage == FORWARD)
   {
-    const std::string ids = this->DrawsIds() ? Section("IdsForward") : std::string();
+    std::string ids = this->DrawsIds() ? Section("IdsForward") : std::string();
+    ids += this->Needed.Surroundings ? Section("SurroundingsForward") : std::string();
     const bool bare = this->ComposeText.find("hachurePaperHere;") != std::string::npos;
     return this->SurfaceOutputs() + ids + Section(bare ? "ForwardNoPaper" : "Forward");
   }
   const std::string peel = this->Stage == PEEL ? Section("PeelFSImpl") : std::string();
-  const std::string text = peel + Section("Attributes") + this->SurfaceOutputs();
+  const std::string surroundings =
+    this->Needed.Surroundings ? Section("SurroundingsAttribute") : std::string();
+  const std::string text = peel + Section("Attributes") + surroundings + this->SurfaceOutputs();
   return colors ? text : text + Section("NoColors");
 }
 

@@ -13,6 +13,8 @@
 #include "vtkNew.h"
 #include "vtkPatternBlocks.h"
 #include "vtkPolyData.h"
+#include "vtkSurfacePart.h"
+#include "vtkWholeSurface.h"
 
 #include <glm/geometric.hpp>
 
@@ -342,14 +344,27 @@ const std::vector<std::int32_t>& vtkPatternSurface::Facets()
   return this->FacetOfTriangle;
 }
 
+vtkPatternSurface::Part vtkPatternSurface::FindPart(vtkPolyData* drawn) const
+{
+  const std::vector<vtkPattern::Block> blocks = vtkPattern::Blocks(this->Input);
+  const auto same = std::find_if(blocks.begin(), blocks.end(),
+    [drawn](const vtkPattern::Block& block) { return block.Data == drawn; });
+  if (same != blocks.end())
+  {
+    return { static_cast<std::size_t>(same - blocks.begin()), nullptr };
+  }
+  vtkPoints* const points = vtkSurfacePart::GetPointsOfWhole(drawn);
+  const auto whole = std::find_if(blocks.begin(), blocks.end(),
+    [points](const vtkPattern::Block& block) { return block.Data->GetPoints() == points; });
+  return { static_cast<std::size_t>(whole - blocks.begin()),
+    drawn->GetCellData()->GetArray(vtkWholeSurface::GetCellIdsName()) };
+}
+
 void vtkPatternSurface::AppendPrimitiveIds(
   vtkPolyData* block, hachure::Span<const vtkIdType> cells, std::vector<float>& ids)
 {
-  const std::vector<vtkPattern::Block> blocks = vtkPattern::Blocks(this->Input);
-  const auto object = static_cast<std::size_t>(
-    std::find_if(blocks.begin(), blocks.end(),
-      [block](const vtkPattern::Block& candidate) { return candidate.Data == block; }) -
-    blocks.begin());
+  const Part part = this->FindPart(block);
+  const std::size_t object = part.Block;
   const auto start = [this](std::size_t index)
   {
     const bool known = index < this->Current->Surface.blocks.size();
@@ -366,12 +381,15 @@ void vtkPatternSurface::AppendPrimitiveIds(
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
     const bool another = i == 0 || cells[i] != cells[i - 1];
-    triangle = another ? std::lower_bound(begin, end, cells[i]) : triangle;
-    const bool found = triangle != end && *triangle == cells[i];
+    const vtkIdType cell =
+      part.Cells ? static_cast<vtkIdType>(part.Cells->GetComponent(cells[i], 0)) : cells[i];
+    triangle = another ? std::lower_bound(begin, end, cell) : triangle;
+    const bool found = triangle != end && *triangle == cell;
     const auto index = static_cast<std::size_t>(triangle - this->Current->Surface.cells.begin());
-    ids.push_back(object < blocks.size() ? static_cast<float>(object) : -1.0f);
+    const bool known = object < this->Current->Surface.blocks.size();
+    ids.push_back(known ? static_cast<float>(object) : -1.0f);
     ids.push_back(found ? static_cast<float>(facets[index]) : -1.0f);
-    const bool more = found && triangle + 1 != end && *(triangle + 1) == cells[i];
+    const bool more = found && triangle + 1 != end && *(triangle + 1) == cell;
     triangle += more ? 1 : 0;
   }
 }
@@ -389,11 +407,7 @@ const hachure::TriangleRuns& vtkPatternSurface::Runs()
 
 void vtkPatternSurface::AppendRuns(vtkPolyData* block, std::vector<float>& records)
 {
-  const std::vector<vtkPattern::Block> blocks = vtkPattern::Blocks(this->Input);
-  const auto object = static_cast<std::size_t>(
-    std::find_if(blocks.begin(), blocks.end(),
-      [block](const vtkPattern::Block& candidate) { return candidate.Data == block; }) -
-    blocks.begin());
+  const std::size_t object = this->FindPart(block).Block;
   const hachure::SurfaceTriangles& surface = this->Current->Surface;
   const bool known = object < surface.blocks.size();
   const auto first = known ? static_cast<std::size_t>(surface.blocks[object].firstPoint) : 0;

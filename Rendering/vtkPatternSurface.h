@@ -30,6 +30,7 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkDataArray;
 class vtkDataObject;
 class vtkPolyData;
 
@@ -140,7 +141,8 @@ public:
   /// first one of its cell where VTK may cut the cell another way, which are polygons of five
   /// corners or more and those that are bent in.
   const std::vector<std::int32_t>& Facets();
-  /// Block and facet, or -1, for the primitives that VTK draws a block with; `cells`: of each.
+  /// Block and facet, or -1, for the primitives that VTK draws a block with; `cells`: of each. The
+  /// block is one of the surface's, or a part of one (see vtkSurfacePart); so below.
   /// Those of one cell follow each other.
   void AppendPrimitiveIds(
     vtkPolyData* block, hachure::Span<const vtkIdType> cells, std::vector<float>& ids);
@@ -157,6 +159,12 @@ public:
   bool HasSeveralBlocks() const { return this->Current->Surface.blocks.size() > 1; }
 
 private:
+  struct Part
+  {
+    std::size_t Block;
+    vtkDataArray* Cells; // of the block, for every cell of the part; null: those of the same number
+  };
+  Part FindPart(vtkPolyData* drawn) const;
   void Replace(vtkDataObject* input, bool related);
   bool HasMoved() const;
   void ForgetStipples();

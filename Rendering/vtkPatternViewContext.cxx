@@ -14,6 +14,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPatternMapper.h"
 #include "vtkPatternPatches.h"
+#include "vtkPatternSharedVisibility.h"
 #include "vtkPatternStyle.h"
 #include "vtkPatternViewport.h"
 #include "vtkRenderer.h"
@@ -161,7 +162,7 @@ double vtkPatternViewContext::DataTimeOf(vtkDataObject* input)
 
 vtkPatternViewContext::Moment vtkPatternViewContext::MomentOf(vtkPatternMapper* mapper)
 {
-  return { DataTimeOf(mapper->GetInputDataObject(0, 0)), mapper->GetAnimationTime() };
+  return { DataTimeOf(mapper->GetSurfaceData()), mapper->GetAnimationTime() };
 }
 
 vtkPatternViewContext::vtkPatternViewContext() = default;
@@ -302,6 +303,39 @@ void vtkPatternViewContext::StartFrame()
   { return !track->Mapper || !track->Actor; };
   this->Tracks.erase(
     std::remove_if(this->Tracks.begin(), this->Tracks.end(), gone), this->Tracks.end());
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  if (window && !this->Renderer->GetSelector())
+  {
+    this->ShareVisibility(window);
+  }
+}
+
+// Together, once a frame: a rank may skip any later step that another one takes.
+void vtkPatternViewContext::ShareVisibility(vtkOpenGLRenderWindow* window)
+{
+  std::map<vtkMultiProcessController*, std::vector<Track*>> shared;
+  for (auto& track : this->Tracks)
+  {
+    if (vtkMultiProcessController* controller = track->Mapper->GetController())
+    {
+      shared[controller].push_back(track.get());
+    }
+  }
+  for (const auto& group : shared)
+  {
+    vtkPattern::SharedVisibility sharing(group.first);
+    for (Track* track : group.second)
+    {
+      sharing.Add(track->Visibility.ReadNearest(window), track->Visibility.GetCount());
+    }
+    if (sharing.Exchange())
+    {
+      for (std::size_t i = 0; i < group.second.size(); ++i)
+      {
+        group.second[i]->Shared = sharing.Get(i);
+      }
+    }
+  }
 }
 
 vtkPatternViewContext::Track* vtkPatternViewContext::Advance(
@@ -343,8 +377,7 @@ bool vtkPatternViewContext::UpdateSamples(Track& track)
   }
   const std::uint64_t known = track.Samples.GetSetVersion();
   vtkPatternSamples::Surface replaced;
-  const bool changed =
-    track.Samples.Update(track.Mapper->GetInputDataObject(0, 0), options, &replaced);
+  const bool changed = track.Samples.Update(track.Mapper->GetSurfaceData(), options, &replaced);
   if (track.Samples.GetSetVersion() != known && known == track.SetVersion)
   {
     track.Before = std::move(replaced);
@@ -442,7 +475,9 @@ void vtkPatternViewContext::AdvanceTracker(Track& track, const hachure::TrackedS
   const hachure::ViewProjection& view, bool changed)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
-  const std::vector<std::uint8_t> visibility = track.Visibility.Read(window);
+  const std::vector<std::uint8_t> visibility =
+    track.Mapper->GetController() ? std::move(track.Shared) : track.Visibility.Read(window);
+  track.Shared.clear();
   const bool replaced = track.SetVersion != track.Samples.GetSetVersion();
   track.Tracker.setOptions(vtkPatternViewContext::OptionsOf(track.Mapper->GetStyle()));
   const std::size_t known = replaced ? track.Before.Positions.size() : samples.positions.size();

@@ -34,6 +34,7 @@
 
 class vtkActor;
 class vtkDataObject;
+class vtkOpenGLRenderWindow;
 class vtkPatternLayer;
 class vtkPatternMapper;
 class vtkPatternStyle;
@@ -70,6 +71,7 @@ public:
     unsigned long Frame = 0; // the frame of the last advance
     bool Moved = true;       // that advance saw another view or surface than the one before
     vtkPatternVisibility Visibility;
+    std::vector<std::uint8_t> Shared; // visibility of the last frame, found out with others
     std::array<int, 4> Rectangle{}; ///< x, y, width, height of what was drawn, where it is measured
     vtkPatternFeatures Features;
     vtkPatternSamples::Values Velocity; // of the samples, where an array is named
@@ -120,6 +122,7 @@ private:
   void EndFrame();
   static bool IsBack(const Track& track, const Moment& now);
   void Forget(Track& track);
+  void ShareVisibility(vtkOpenGLRenderWindow* window);
   void Predict(Track& track, const vtkPatternViewport& viewport, bool lowDetail);
   bool UpdateSamples(Track& track);
   void LookOn(Track& track, const hachure::TrackedSamples& samples,

@@ -64,7 +64,8 @@ bool vtkPatternVisibility::Prepare(vtkOpenGLRenderWindow* window, const vtkPatte
     this->ReleaseGraphicsResources(window);
     this->Size = size;
     Target(window, this->OwnFramebuffer, this->Own, size, 4, VTK_FLOAT);
-    Target(window, this->SceneFramebuffer, this->Scene, size, 1, VTK_UNSIGNED_CHAR);
+    Target(
+      window, this->SceneFramebuffer, this->Scene, size, this->Shared ? 4 : 1, VTK_UNSIGNED_CHAR);
   }
   if (!this->Positions->GetHandle() || this->PositionVersion != samples.GetPositionVersion() ||
     this->Source != &samples)
@@ -158,21 +159,54 @@ void vtkPatternVisibility::Draw(vtkOpenGLRenderWindow* window, const Stage& stag
   stage.PerSample->Deactivate();
 }
 
+void vtkPatternVisibility::SetShared(bool shared)
+{
+  if (shared != this->Shared)
+  {
+    this->Shared = shared;
+    this->Size = { 0, 0 }; // other texels
+    this->Forget();
+  }
+}
+
 std::vector<std::uint8_t> vtkPatternVisibility::Read(vtkOpenGLRenderWindow* window)
+{
+  return this->Shared ? std::vector<std::uint8_t>() : this->ReadTexels(window);
+}
+
+std::vector<std::uint32_t> vtkPatternVisibility::ReadNearest(vtkOpenGLRenderWindow* window)
+{
+  const std::vector<std::uint8_t> bytes =
+    this->Shared ? this->ReadTexels(window) : std::vector<std::uint8_t>();
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(bytes.size() / 4);
+  for (std::size_t i = 0; i + 3 < bytes.size(); i += 4)
+  {
+    numbers.push_back((static_cast<std::uint32_t>(bytes[i + 1]) << 24) |
+      (static_cast<std::uint32_t>(bytes[i + 2]) << 16) |
+      (static_cast<std::uint32_t>(bytes[i + 3]) << 8) | bytes[i]);
+  }
+  return numbers;
+}
+
+std::vector<std::uint8_t> vtkPatternVisibility::ReadTexels(vtkOpenGLRenderWindow* window)
 {
   if (!this->SceneMeasured || !this->Scene->GetHandle())
   {
     return {};
   }
   this->SceneMeasured = false;
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(this->Size[0] * this->Size[1]));
+  const std::size_t size = this->Shared ? 4 : 1;
+  std::vector<std::uint8_t> bytes(
+    size * static_cast<std::size_t>(this->Size[0]) * static_cast<std::size_t>(this->Size[1]));
   window->GetState()->PushFramebufferBindings();
   this->SceneFramebuffer->Bind(GL_READ_FRAMEBUFFER);
   this->SceneFramebuffer->ActivateReadBuffer(0);
   // Rows are full, but for a single one: none is padded.
-  glReadPixels(0, 0, this->Size[0], this->Size[1], GL_RED, GL_UNSIGNED_BYTE, bytes.data());
+  glReadPixels(0, 0, this->Size[0], this->Size[1], this->Shared ? GL_RGBA : GL_RED,
+    GL_UNSIGNED_BYTE, bytes.data());
   window->GetState()->PopFramebufferBindings();
-  bytes.resize(this->Count);
+  bytes.resize(size * this->Count);
   return bytes;
 }
 

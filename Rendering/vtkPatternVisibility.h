@@ -39,6 +39,14 @@ public:
 
   /// Bytes of the last MeasureScene, empty where there was none since the last call.
   std::vector<std::uint8_t> Read(vtkOpenGLRenderWindow* window);
+  /// The same where other processes draw parts of the scene: the byte is the last one, the others
+  /// are the window depth that it belongs to, so that the smallest number of all is what a picture
+  /// of everything would give.
+  std::vector<std::uint32_t> ReadNearest(vtkOpenGLRenderWindow* window);
+  /// Whether ReadNearest is used.
+  void SetShared(bool shared);
+  /// Samples of the last MeasureOwn.
+  std::size_t GetCount() const { return this->Count; }
 
   bool IsOwnMeasured() const { return this->OwnMeasured; }
   void Forget();
@@ -56,6 +64,7 @@ private:
     const char* PerSampleName;
   };
   void Draw(vtkOpenGLRenderWindow* window, const Stage& stage);
+  std::vector<std::uint8_t> ReadTexels(vtkOpenGLRenderWindow* window);
 
   vtkPatternQuad OwnQuad;
   vtkPatternQuad SceneQuad;
@@ -68,6 +77,7 @@ private:
   std::size_t Count = 0;
   std::uint64_t PositionVersion = 0;
   const vtkPatternSamples* Source = nullptr;
+  bool Shared = false;
   bool OwnMeasured = false;
   bool SceneMeasured = false;
 };

@@ -9,8 +9,9 @@
  * that are given a representation of their own are drawn as ParaView draws them.
  *
  * Patches are made of the surface that is drawn, between the filter that extracts it and the
- * mappers, so that pictures of low detail have the same ones. Each process divides the part of the
- * surface that it holds.
+ * mappers, so that pictures of low detail have the same ones. Where several processes hold parts of
+ * the surface, each knows all of it (vtkWholeSurface), makes the same patterns, and draws its part
+ * with them.
  *
  * What is drawn is made of a style, a preset or a file, and of what the other properties replace in
  * all of its layers. They start neutral: a property of the type Choice at AS_IN_STYLE leaves the
@@ -35,10 +36,17 @@
 #include "vtkSmartPointer.h"      // For the patches
 
 #include <algorithm> // For the ranges of the setters
+#include <memory>    // For the files and the legend
 #include <string>
 
+class PatternLegendPlace;
+class RepresentationFile;
+class vtkImageData;
+class vtkMultiBlockDataSet;
 class vtkNoiseLayer;
+class vtkPatternLegendActor;
 class vtkRepresentationPatches;
+class vtkWholeSurface;
 
 class HACHUREREPRESENTATIONS_EXPORT vtkPatternRepresentation
   : public vtkGeometryRepresentationWithFaces
@@ -83,6 +91,19 @@ public:
   void SetPatternStyleFile(const char* fileName);
   const char* GetPatternStyleFile();
   ///@}
+
+  ///@{
+  /** The style file that SavePatternStyle() writes. Default empty: none. */
+  void SetPatternStyleSaveName(const char* fileName);
+  const char* GetPatternStyleSaveName();
+  ///@}
+
+  /** Writes the style that is drawn, with all that the properties replace in it, so that a new
+   * representation with this PatternStyleFile draws the same; patches, velocities and back ends are
+   * none of a style's. Of several processes the first one of the server writes. An error without a
+   * file name, where it cannot be written, and where a layer has a picture or views that are in no
+   * file. */
+  void SavePatternStyle();
 
   ///@{
   /** Factor on the size of the patterns. Range 0.01 to 100, default 1. */
@@ -744,11 +765,76 @@ public:
   int GetPatternBackEnd();
   ///@}
 
+  ///@{
+  /** Whether the view has a legend of the patterns, see vtkPatternLegendActor; default 0. */
+  void SetPatternLegend(int shown);
+  int GetPatternLegend();
+  ///@}
+
+  ///@{
+  /** Lower left corner and size of the legend, as parts of the view; the mouse changes them, too.
+   * Defaults (0.82, 0.2) and (0.16, 0.6). */
+  void SetPatternLegendPosition(double x, double y);
+  double* GetPatternLegendPosition() VTK_SIZEHINT(2);
+  void SetPatternLegendSize(double width, double height);
+  double* GetPatternLegendSize() VTK_SIZEHINT(2);
+  ///@}
+
+  ///@{
+  /** Title of the legend; empty, the default: the name of the array of the tone. */
+  void SetPatternLegendTitle(const char* title);
+  const char* GetPatternLegendTitle();
+  ///@}
+
+  ///@{
+  /** vtkPatternLegendActor's HORIZONTAL (0) or VERTICAL (1, the default); its modes, AUTOMATIC (0,
+   * the default) to CATEGORIES (3); number of even swatches, 0 to 64, 0 (default): those of the
+   * tone. */
+  void SetPatternLegendOrientation(int orientation);
+  int GetPatternLegendOrientation();
+  void SetPatternLegendMode(int mode);
+  int GetPatternLegendMode();
+  void SetPatternLegendSteps(int steps);
+  int GetPatternLegendSteps();
+  ///@}
+
+  ///@{
+  /** How many numbers there are at most beside a continuous swatch, 0 to 64, default 5; and their
+   * format, as printf takes it for one double, default "%.4g". */
+  void SetPatternLegendLabels(int labels);
+  int GetPatternLegendLabels();
+  void SetPatternLegendLabelFormat(const char* format);
+  const char* GetPatternLegendLabelFormat();
+  ///@}
+
+  ///@{
+  /** Whether there is a swatch for data that is not a number; default 0. */
+  void SetPatternLegendNan(int shown);
+  int GetPatternLegendNan();
+  ///@}
+
+  ///@{
+  /** Size of swatches across their row, pixels, 4 to 1000, default 36; sizes of the fonts, points,
+   * 4 to 200, default 14 and 12. */
+  void SetPatternLegendThickness(int pixels);
+  int GetPatternLegendThickness();
+  void SetPatternLegendTitleFontSize(int points);
+  int GetPatternLegendTitleFontSize();
+  void SetPatternLegendLabelFontSize(int points);
+  int GetPatternLegendLabelFontSize();
+  ///@}
+
+  void SetVisibility(bool visible) override;
+
 protected:
   vtkPatternRepresentation();
   ~vtkPatternRepresentation() override;
 
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
   void UpdateColoringParameters() override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
 
   /** Replaces in a style what the properties ask for. */
   virtual void AdjustStyle(vtkPatternStyle* style);
@@ -757,8 +843,12 @@ protected:
    * picture. */
   void UpdateStyle();
 
-  /** The style that the last UpdateStyle() has made. */
+  /** The style that is drawn, as the last UpdateStyle() has left it; always the same object. */
   vtkPatternStyle* GetStyle();
+
+  /** What must be saved before the style that is drawn can be, in a sentence; empty where all is in
+   * files. */
+  virtual std::string GetUnsaved() { return {}; }
 
   // Calls the function with every layer of a type.
   template <class Layer, class Function>
@@ -815,7 +905,10 @@ private:
   }
 
   void UpdatePatches();
-  bool LoadStyle(vtkPatternStyle* style);
+  void SendWhole(vtkInformation* inInfo);
+  vtkDataObject* FindWhole(vtkInformation* inInfo);
+  void UpdateController();
+  void LoadStyle();
   void AdjustOutline(vtkPatternStyle* style);
   void AdjustMotion(vtkPatternStyle* style);
   void AdjustInk(vtkPatternLayer* layer);
@@ -828,10 +921,18 @@ private:
   void AdjustMarksMotion(vtkImagePatternLayer* layer);
   void AdjustNoise(vtkNoiseLayer* layer);
   vtkSmartPointer<vtkImageData> ReadPicture();
+  std::unique_ptr<PatternLegendPlace> MakeLegend();
+  vtkPatternLegendActor* GetLegend();
 
   bool StyleChanged = true;
+  vtkSmartPointer<vtkPatternStyle> Loaded; // as it is without the properties
+  std::string LoadedName;
+  std::unique_ptr<RepresentationFile> LoadedFile;
+  vtkSmartPointer<vtkImageData> Picture;
+  std::unique_ptr<RepresentationFile> PictureFile;
   std::string PatternStyle;
   std::string PatternStyleFile;
+  std::string PatternStyleSaveName;
   double PatternScale = 1.0;
   double PatternAngle = 0.0;
   int PatternInk = AS_IN_STYLE;
@@ -883,6 +984,9 @@ private:
   int PatternOutlineInk = AS_IN_STYLE;
   double PatternOutlineColor[3] = { 0.0, 0.0, 0.0 };
 
+  vtkSmartPointer<vtkWholeSurface> Whole;
+  vtkSmartPointer<vtkMultiBlockDataSet> SentWhole;
+  vtkMTimeType SentTime = 0;
   vtkSmartPointer<vtkRepresentationPatches> Patches;
   int PatternPatches = AS_IN_DATA;
   std::string PatternPatchArrayName;
@@ -911,6 +1015,9 @@ private:
   std::string PatternFeatureArrayName;
   int PatternSamplesPerPatch = 0;
   std::string PatternVelocityArray = "None";
+
+  std::unique_ptr<PatternLegendPlace> Legend;
+  std::string LegendText; // that a getter hands out
 };
 
 #endif

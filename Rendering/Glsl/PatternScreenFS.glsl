@@ -6,7 +6,8 @@
 
 in vec2 texCoord;
 
-uniform sampler2D hachureSurfaceColor;  // rgb display-referred colour, a: 1 - half the drawn edge, a quarter of it without data
+uniform sampler2D hachureSurfaceColor;  // rgb display-referred colour, a: 1 - half the drawn edge, a quarter of it without data,
+                                        // 0.03 where another process draws it
 uniform sampler2D hachureSurfaceTone;   // tones of four channels
 uniform sampler2D hachureSurfaceNormal; // packed normal in view coordinates, for outlines
 uniform sampler2D hachureSurfaceDepth;  // window depth, 1 where nothing was drawn
@@ -36,5 +37,5 @@ void main()
   //Hachure::Surface::Impl
   //Hachure::Picture::Impl
   // The quad must use all of its attributes.
-  gl_FragData[0] = vec4(picture.rgb, texCoord.x < 0.0 ? 0.0 : picture.a);
+  gl_FragData[0] = vec4(picture.rgb, surface.a < 0.06 || texCoord.x < 0.0 ? 0.0 : picture.a);
 }

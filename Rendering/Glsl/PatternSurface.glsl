@@ -210,6 +210,16 @@ float hachurePackNormal(vec3 n)
   // Where a tone's data has no number, a quarter of it.
   gl_FragData[0].a = (1.0 - 0.5 * hachureEdge) * (hachureLeastTone < 0.0 ? 0.25 : 1.0);
   gl_FragData[1] = hachureTone;
+//Section SurroundingsFSDec
+uniform float hachureNotDrawn; // 1 where another process draws the block
+//Section SurroundingsAttribute
+  // VTK discards what has no alpha at all.
+  gl_FragData[0].a = hachureNotDrawn > 0.5 ? 0.03 : gl_FragData[0].a;
+//Section SurroundingsForward
+  if (hachureNotDrawn > 0.5)
+  {
+    discard;
+  }
 //Section NoColors
   // Nobody looks at them, and the lighting that would make them falls away: a third of the time of a
   // surface of small triangles in software OpenGL.

@@ -93,8 +93,8 @@ for representation, properties in others.items():
         if item["command"] != "Set" + item["name"] and stem != "Style":
             assert item == dict(named["Pattern" + stem], name=item["name"]), item
 
-# The table of the README names every property.
-readme_file = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../README.md")
+# The table of the plugin's page names every property.
+readme_file = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Plugin/README.md")
 with open(readme_file, encoding="utf-8") as readme:
     rows = [line.split("|")[1] for line in readme if line.startswith("| `Pattern")]
 listed = [name.strip("` ") for row in rows for name in row.split(",")]

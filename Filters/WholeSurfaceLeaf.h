@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Hachure contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A block of a surface that processes hold parts of, put together from them.
+ */
+#ifndef WholeSurfaceLeaf_h
+#define WholeSurfaceLeaf_h
+
+#include "Core/CanonicalOrder.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <cstdint>
+#include <vector>
+
+class vtkDataSetAttributes;
+class vtkPolyData;
+
+namespace hachure
+{
+
+/// The polygons of a block alone, without ghosts; strips are triangles. Null gives no cells.
+vtkSmartPointer<vtkPolyData> polygonsOf(vtkPolyData* block);
+
+/// The block without ghosts and with triangles for strips, whose polygons are those of
+/// polygonsOf().
+vtkSmartPointer<vtkPolyData> withoutGhosts(vtkPolyData* block);
+
+class WholeSurfaceLeaf
+{
+public:
+  /// Polygons of every process, in their order. The cells keep their order as long as all parts
+  /// keep their connectivity, so that what is attached to them stays while they move. The arrays
+  /// are those that all parts with cells have.
+  void assemble(const std::vector<vtkSmartPointer<vtkPolyData>>& parts);
+
+  vtkPolyData* whole() const { return this->Whole; }
+  /// Of the polygon, and of the point, of a part: its cell or point in the whole; -1 where a point
+  /// is of no cell.
+  vtkIdType cellOf(std::size_t part, vtkIdType cell) const;
+  vtkIdType pointOf(std::size_t part, vtkIdType point) const;
+
+private:
+  void order(vtkPolyData* appended);
+  void build(vtkPolyData* appended);
+
+  std::vector<std::uint64_t> Connectivity; // a hash of every part's
+  std::vector<vtkIdType> FirstCells;       // of the parts
+  std::vector<vtkIdType> FirstPoints;
+  std::vector<std::int64_t> Order;
+  std::vector<vtkIdType> CellNumbers; // inverse of the order
+  DistinctPoints Points;
+  vtkSmartPointer<vtkPolyData> Whole;
+};
+
+} // namespace hachure
+
+#endif

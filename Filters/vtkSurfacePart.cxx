@@ -3,6 +3,7 @@
 #include "vtkSurfacePart.h"
 
 #include "Core/NearCells.h"
+#include "OwnedCells.h"
 #include "SurfaceLeaves.h"
 #include "WholeSurfaceLeaf.h"
 #include "vtkWholeSurface.h"
@@ -17,13 +18,13 @@
 #include <vtkInformation.h>
 #include <vtkInformationObjectBaseKey.h>
 #include <vtkInformationVector.h>
+#include <vtkIntArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -46,22 +47,6 @@ vtkInformationObjectBaseKey* PointsKey()
 vtkDataArray* CellIds(vtkPolyData* block)
 {
   return block->GetCellData()->GetArray(vtkWholeSurface::GetCellIdsName());
-}
-
-// Which polygons of the whole's block a part has; empty where the part cannot be told.
-std::vector<std::uint8_t> OwnedCells(vtkPolyData* part, vtkPolyData* whole)
-{
-  std::vector<std::uint8_t> owned(static_cast<std::size_t>(whole->GetNumberOfPolys()), 0);
-  vtkDataArray* ids = part ? CellIds(part) : nullptr;
-  for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
-  {
-    const auto id = static_cast<vtkIdType>(ids->GetComponent(i, 0));
-    if (id >= 0 && id < whole->GetNumberOfPolys())
-    {
-      owned[static_cast<std::size_t>(id)] = 1;
-    }
-  }
-  return owned;
 }
 
 std::vector<vtkIdType> Chosen(const std::vector<std::uint8_t>& owned)
@@ -212,30 +197,101 @@ std::vector<std::int64_t> Numbers(vtkDataArray* array)
   return numbers;
 }
 
-vtkSmartPointer<vtkPolyData> SurroundingBlock(
-  vtkPolyData* whole, const std::vector<std::uint8_t>& owned, double distance)
+// The cells of all blocks behind each other, so that blocks that touch surround each other.
+struct JoinedCells
 {
-  std::vector<glm::dvec3> points(static_cast<std::size_t>(whole->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < points.size(); ++i)
+  std::vector<glm::dvec3> points;
+  std::vector<std::int64_t> offsets = { 0 };
+  std::vector<std::int64_t> corners;
+  std::vector<std::uint8_t> owned;
+
+  void append(vtkPolyData* block, const std::vector<std::uint8_t>& ownedOfBlock)
   {
-    whole->GetPoint(static_cast<vtkIdType>(i), &points[i][0]);
+    const auto firstPoint = static_cast<std::int64_t>(this->points.size());
+    const auto firstCorner = static_cast<std::int64_t>(this->corners.size());
+    for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
+    {
+      glm::dvec3 point(0.0);
+      block->GetPoint(i, &point[0]);
+      this->points.push_back(point);
+    }
+    const std::vector<std::int64_t> ends = Numbers(block->GetPolys()->GetOffsetsArray());
+    for (std::size_t i = 1; i < ends.size(); ++i)
+    {
+      this->offsets.push_back(firstCorner + ends[i]);
+    }
+    for (const std::int64_t corner : Numbers(block->GetPolys()->GetConnectivityArray()))
+    {
+      this->corners.push_back(firstPoint + corner);
+    }
+    this->owned.insert(this->owned.end(), ownedOfBlock.begin(), ownedOfBlock.end());
   }
-  const std::vector<std::int64_t> offsets = Numbers(whole->GetPolys()->GetOffsetsArray());
-  const std::vector<std::int64_t> corners = Numbers(whole->GetPolys()->GetConnectivityArray());
-  const std::vector<std::int64_t> near =
-    hachure::nearCells(points, { offsets, corners }, owned, distance);
-  if (near.empty())
-  {
-    return nullptr;
-  }
-  vtkSmartPointer<vtkPolyData> block =
-    Polygons(whole, std::vector<vtkIdType>(near.begin(), near.end()));
-  vtkNew<vtkUnsignedCharArray> mark;
+};
+
+vtkSmartPointer<vtkPolyData> SurroundingBlock(
+  vtkPolyData* whole, int number, const std::vector<vtkIdType>& cells)
+{
+  vtkSmartPointer<vtkPolyData> block = Polygons(whole, cells);
+  vtkNew<vtkIntArray> mark;
   mark->SetName(notDrawn);
-  mark->InsertNextValue(1);
+  mark->InsertNextValue(number);
   CellIds(block)->GetInformation()->Set(PointsKey(), whole->GetPoints());
   block->GetFieldData()->AddArray(mark);
   return block;
+}
+
+std::vector<std::int64_t> Others(const std::vector<std::uint8_t>& owned)
+{
+  std::vector<std::int64_t> cells;
+  for (std::size_t i = 0; i < owned.size(); ++i)
+  {
+    if (owned[i] == 0)
+    {
+      cells.push_back(static_cast<std::int64_t>(i));
+    }
+  }
+  return cells;
+}
+
+// owned: of the cells of every block; empty for blocks without polygons. all: the largest number of
+// cells of which none is too far.
+std::vector<vtkSmartPointer<vtkPolyData>> SurroundingBlocks(const std::vector<vtkPolyData*>& whole,
+  const std::vector<std::vector<std::uint8_t>>& owned, double distance, vtkIdType all)
+{
+  JoinedCells joined;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+  {
+    if (!owned[i].empty())
+    {
+      joined.append(whole[i], owned[i]);
+    }
+  }
+  std::vector<vtkSmartPointer<vtkPolyData>> blocks;
+  const bool any = std::find(joined.owned.begin(), joined.owned.end(), 1) != joined.owned.end();
+  if (!any || std::find(joined.owned.begin(), joined.owned.end(), 0) == joined.owned.end())
+  {
+    return blocks;
+  }
+  const std::vector<std::int64_t> near = static_cast<vtkIdType>(joined.owned.size()) <= all
+    ? Others(joined.owned)
+    : hachure::nearCells(joined.points, { joined.offsets, joined.corners }, joined.owned, distance);
+  auto next = near.begin();
+  std::int64_t first = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+  {
+    const std::int64_t end = first + static_cast<std::int64_t>(owned[i].size());
+    std::vector<vtkIdType> cells;
+    for (; next != near.end() && *next < end; ++next)
+    {
+      cells.push_back(static_cast<vtkIdType>(*next - first));
+    }
+    if (!cells.empty())
+    {
+      blocks.push_back(SurroundingBlock(whole[i], static_cast<int>(i), cells));
+    }
+    first = end;
+  }
+  return blocks;
 }
 
 double DiagonalOf(const std::vector<vtkPolyData*>& leaves)
@@ -266,14 +322,40 @@ vtkSmartPointer<vtkMultiBlockDataSet> AsComposite(vtkDataObject* part)
 }
 } // namespace
 
+// What stays while the surroundings alone become wider or narrower.
+struct vtkSurfacePart::Internals
+{
+  const void* Part = nullptr;
+  const void* Whole = nullptr;
+  vtkMTimeType PartTime = 0;
+  vtkMTimeType WholeTime = 0;
+  std::vector<vtkSmartPointer<vtkPolyData>> Drawn;
+  std::vector<std::vector<std::uint8_t>> Owned; // cells of the whole's blocks with polygons
+
+  bool IsOf(vtkDataObject* part, vtkDataObject* whole) const
+  {
+    return this->Part == part && this->Whole == whole && this->PartTime == part->GetMTime() &&
+      this->WholeTime == whole->GetMTime();
+  }
+};
+
 vtkSurfacePart::vtkSurfacePart()
+  : Internal(std::make_unique<Internals>())
 {
   this->SetNumberOfInputPorts(2);
 }
 
+vtkSurfacePart::~vtkSurfacePart() = default;
+
 bool vtkSurfacePart::IsSurroundings(vtkPolyData* block)
 {
   return block->GetFieldData() && block->GetFieldData()->HasArray(notDrawn);
+}
+
+int vtkSurfacePart::GetSurroundedBlock(vtkPolyData* block)
+{
+  vtkDataArray* mark = block->GetFieldData() ? block->GetFieldData()->GetArray(notDrawn) : nullptr;
+  return mark && mark->GetNumberOfTuples() > 0 ? static_cast<int>(mark->GetComponent(0, 0)) : -1;
 }
 
 vtkPoints* vtkSurfacePart::GetPointsOfWhole(vtkPolyData* block)
@@ -307,37 +389,45 @@ int vtkSurfacePart::RequestData(
   {
     return 1;
   }
-  const double distance = this->Surroundings * DiagonalOf(all);
-  std::vector<vtkSmartPointer<vtkPolyData>> drawn;
-  std::vector<vtkSmartPointer<vtkPolyData>> surroundings;
-  for (std::size_t i = 0; i < all.size(); ++i)
+  if (!this->Internal->IsOf(part, whole))
   {
-    if (!all[i] || all[i]->GetNumberOfPolys() == 0)
-    {
-      drawn.emplace_back(own[i]);
-      continue;
-    }
-    const std::vector<std::uint8_t> owned = OwnedCells(own[i], all[i]);
-    drawn.push_back(DrawnBlock(own[i], all[i], owned));
-    if (drawn.back() != all[i])
-    {
-      surroundings.push_back(SurroundingBlock(all[i], owned, distance));
-    }
+    this->Draw(own, all);
+    this->Internal->Part = part;
+    this->Internal->Whole = whole;
+    this->Internal->PartTime = part->GetMTime();
+    this->Internal->WholeTime = whole->GetMTime();
   }
-  output->ShallowCopy(hachure::withLeaves(composite, drawn));
-  for (vtkPolyData* block : surroundings)
+  output->ShallowCopy(hachure::withLeaves(composite, this->Internal->Drawn));
+  for (vtkPolyData* block : SurroundingBlocks(all, this->Internal->Owned,
+         this->Surroundings * DiagonalOf(all), this->MaximumNumberOfCells))
   {
-    if (block)
-    {
-      output->SetBlock(output->GetNumberOfBlocks(), block);
-    }
+    output->SetBlock(output->GetNumberOfBlocks(), block);
   }
   hachure::copyDataTime(part, output);
   return 1;
+}
+
+void vtkSurfacePart::Draw(
+  const std::vector<vtkPolyData*>& part, const std::vector<vtkPolyData*>& whole)
+{
+  this->Internal->Drawn.clear();
+  this->Internal->Owned.assign(whole.size(), {});
+  for (std::size_t i = 0; i < whole.size(); ++i)
+  {
+    if (!whole[i] || whole[i]->GetNumberOfPolys() == 0)
+    {
+      this->Internal->Drawn.emplace_back(part[i]);
+      continue;
+    }
+    this->Internal->Owned[i] =
+      hachure::ownedCells(part[i], whole[i], vtkWholeSurface::GetCellIdsName());
+    this->Internal->Drawn.push_back(DrawnBlock(part[i], whole[i], this->Internal->Owned[i]));
+  }
 }
 
 void vtkSurfacePart::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Surroundings: " << this->Surroundings << "\n";
+  os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
 }

@@ -12,9 +12,10 @@
  * that is the whole's block itself.
  *
  * Behind those blocks there are blocks of the surroundings of the part: polygons that others hold,
- * up to Surroundings away from it, so that contours, marks and visibility know how the surface goes
+ * up to Surroundings away from it (all of a small surface), so that contours, marks and visibility know how the surface goes
  * on. They have a field array "NotDrawn": vtkPatternMapper leaves their pixels to whoever holds
- * them.
+ * them. Other blocks that the part touches surround it too. With other Surroundings alone, the
+ * other blocks of the output stay the same objects.
  *
  * A part of no known whole passes as it is.
  *
@@ -26,6 +27,9 @@
 
 #include "HachureFiltersModule.h" // for the export macro
 #include "vtkMultiBlockDataSetAlgorithm.h"
+
+#include <memory> // for what is kept
+#include <vector> // for the blocks
 
 class vtkPoints;
 class vtkPolyData;
@@ -46,8 +50,24 @@ public:
   vtkGetMacro(Surroundings, double);
   ///@}
 
+  ///@{
+  /**
+   * Polygons up to which the surroundings of a part are all of the surface, so that nothing is
+   * missing of what hides it or is seen behind it. At least 0, default 50000: drawing them in
+   * addition takes about 10 ms in software OpenGL.
+   */
+  vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MaximumNumberOfCells, vtkIdType);
+  ///@}
+
   /** Whether a block of the output is of the surroundings. */
   static bool IsSurroundings(vtkPolyData* block);
+
+  /**
+   * Of which leaf of the part a block of the surroundings goes on, counting also empty ones; -1
+   * where the block is not of the surroundings.
+   */
+  static int GetSurroundedBlock(vtkPolyData* block);
 
   /**
    * The points of the whole surface's block that a block of the output was taken from: its first
@@ -58,7 +78,7 @@ public:
 
 protected:
   vtkSurfacePart();
-  ~vtkSurfacePart() override = default;
+  ~vtkSurfacePart() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
@@ -68,7 +88,12 @@ private:
   vtkSurfacePart(const vtkSurfacePart&) = delete;
   void operator=(const vtkSurfacePart&) = delete;
 
+  struct Internals;
+  void Draw(const std::vector<vtkPolyData*>& part, const std::vector<vtkPolyData*>& whole);
+
   double Surroundings = 0.03;
+  vtkIdType MaximumNumberOfCells = 50000;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

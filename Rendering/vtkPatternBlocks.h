@@ -8,6 +8,7 @@
 
 #include <vector>
 
+class vtkCompositeDataDisplayAttributes;
 class vtkDataObject;
 class vtkPolyData;
 
@@ -21,6 +22,11 @@ struct Block
 
 /// Every block that is polydata, in the composite's order; empty blocks are left out.
 std::vector<Block> Blocks(vtkDataObject* input);
+
+/// Whether the leaves of the input are visible, counting also empty ones; as with the mapper, a
+/// leaf without a visibility of its own has that of what it is in.
+std::vector<bool> VisibleLeaves(
+  vtkDataObject* input, vtkCompositeDataDisplayAttributes* attributes);
 } // namespace vtkPattern
 
 #endif

@@ -10,6 +10,7 @@
 #include "vtkCamera.h"
 #include "vtkCameraInterpolator.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLookupTable.h"
@@ -20,6 +21,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPatternBlocks.h"
+#include "vtkPatternLayer.h"
 #include "vtkPatternMapperHelper.h"
 #include "vtkPatternMapperInternals.h"
 #include "vtkPatternNumberBuffer.h"
@@ -317,20 +319,125 @@ void vtkPatternMapper::UpdateChannels()
 
 void vtkPatternMapper::UpdateSurroundings()
 {
-  const auto blocks = vtkPattern::Blocks(this->GetInputDataObject(0, 0));
-  this->Internal->HasSurroundings = std::any_of(blocks.begin(), blocks.end(),
-    [](const vtkPattern::Block& block) { return vtkSurfacePart::IsSurroundings(block.Data); });
+  this->Internal->Surroundings.clear();
+  for (const vtkPattern::Block& block : vtkPattern::Blocks(this->GetInputDataObject(0, 0)))
+  {
+    if (vtkSurfacePart::IsSurroundings(block.Data))
+    {
+      this->Internal->Surroundings.emplace_back(block.Data);
+    }
+  }
+  this->ShowSurroundings(false);
+}
+
+// They are seen in the attribute images alone, where the block is that they go on with.
+void vtkPatternMapper::ShowSurroundings(bool shown)
+{
+  if (this->Internal->Surroundings.empty())
+  {
+    return;
+  }
+  vtkCompositeDataDisplayAttributes* attributes = this->GetCompositeDataDisplayAttributes();
+  if (!attributes)
+  {
+    vtkNew<vtkCompositeDataDisplayAttributes> own;
+    this->SetCompositeDataDisplayAttributes(own);
+    attributes = own;
+  }
+  const std::vector<bool> visible = shown
+    ? vtkPattern::VisibleLeaves(this->GetInputDataObject(0, 0), attributes)
+    : std::vector<bool>();
+  for (vtkPolyData* block : this->Internal->Surroundings)
+  {
+    const auto leaf = static_cast<std::size_t>(vtkSurfacePart::GetSurroundedBlock(block));
+    const bool show = leaf < visible.size() && visible[leaf];
+    if (!attributes->HasBlockVisibility(block) || attributes->GetBlockVisibility(block) != show)
+    {
+      attributes->SetBlockVisibility(block, show);
+      attributes->SetBlockPickability(block, false);
+    }
+  }
+}
+
+// Of the part of the surface that this process draws, with its surroundings.
+const double* vtkPatternMapper::DrawnBounds()
+{
+  vtkDataObject* input = this->GetInputDataObject(0, 0);
+  if (!this->WholeSurface)
+  {
+    return this->GetBounds();
+  }
+  Internals& internal = *this->Internal;
+  if (internal.DrawnInput != input || internal.DrawnTime != input->GetMTime())
+  {
+    vtkBoundingBox box;
+    for (const vtkPattern::Block& block : vtkPattern::Blocks(input))
+    {
+      double bounds[6];
+      block.Data->GetCellsBounds(bounds); // other parts have the same points
+      if (vtkBoundingBox::IsValid(bounds))
+      {
+        box.AddBounds(bounds);
+      }
+    }
+    vtkMath::UninitializeBounds(internal.DrawnBounds);
+    if (box.IsValid())
+    {
+      box.GetBounds(internal.DrawnBounds);
+    }
+    internal.DrawnInput = input;
+    internal.DrawnTime = input->GetMTime();
+  }
+  return internal.DrawnBounds;
+}
+
+double vtkPatternMapper::GetReach(vtkRenderer* renderer, vtkActor* actor)
+{
+  constexpr double outline = 8.0; // logical pixels, of a wide one
+  double pixels = outline;
+  for (int i = 0; this->Style && i < this->Style->GetNumberOfLayers(); ++i)
+  {
+    const double reach = this->Style->GetLayer(i)->GetReach(this->Style->GetDotsPerInch());
+    pixels = std::max(pixels, reach);
+  }
+  const vtkBoundingBox box(this->GetBounds());
+  if (!box.IsValid() || box.GetDiagonalLength() <= 0.0)
+  {
+    return 1.0;
+  }
+  glm::dvec4 center(1.0);
+  box.GetCenter(&center[0]);
+  const vtkPatternViewport viewport(renderer, this->Style ? this->Style->GetPixelScale() : 1.0);
+  const hachure::ViewProjection view = viewport.View(renderer, actor);
+  const double width = (view.viewToClip * view.modelToView * center).w; // 1 in parallel projection
+  const double pixelsPerUnit = 0.5 * view.viewportSize.y * std::abs(view.viewToClip[1][1]) *
+    std::cbrt(std::abs(glm::determinant(glm::dmat3(view.modelToView)))) / width;
+  const double reach = pixels / (pixelsPerUnit * box.GetDiagonalLength());
+  return reach > 0.0 ? std::min(reach, 1.0) : 1.0; // 1 where the camera is in the middle of it
+}
+
+// Pixels that a box can cover with what is drawn on it.
+std::array<int, 4> vtkPatternMapper::Covered(
+  const Drawing& drawing, const double bounds[6], int margin) const
+{
+  if (!vtkBoundingBox::IsValid(bounds))
+  {
+    return { 0, 0, 0, 0 };
+  }
+  const glm::dmat4 modelToClip = vtkPattern::DrawnProjection(drawing.Renderer) *
+    vtkPattern::ModelView(drawing.Renderer, drawing.Actor);
+  return vtkPattern::CoveredRectangle(bounds, modelToClip, drawing.Viewport.Drawn, margin);
 }
 
 bool vtkPatternMapper::GetHasSurroundings() const
 {
-  return this->Internal->HasSurroundings;
+  return !this->Internal->Surroundings.empty();
 }
 
 vtkPatternAttributes vtkPatternMapper::Attributes(const Drawing& drawing) const
 {
   vtkPatternAttributes attributes = drawing.Part.Compositor.GetAttributes();
-  attributes.Surroundings = this->Internal->HasSurroundings;
+  attributes.Surroundings = this->GetHasSurroundings();
   return attributes;
 }
 
@@ -450,6 +557,10 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
       this->Internal->ReportedStyle);
     return;
   }
+  if (this->GetInputDataObject(0, 0))
+  {
+    this->UpdateSurroundings();
+  }
   if (!this->DrawsPatterns(renderer, actor))
   {
     this->Superclass::Render(renderer, actor);
@@ -527,13 +638,8 @@ void vtkPatternMapper::RenderForward(Drawing& drawing)
   const std::array<double, 3> nanColor = this->GetNanColor();
   const glm::dmat4 modelToClip = vtkPattern::DrawnProjection(drawing.Renderer) *
     vtkPattern::ModelView(drawing.Renderer, drawing.Actor);
-  double bounds[6];
-  this->GetBounds(bounds);
-  if (vtkBoundingBox::IsValid(bounds))
-  {
-    drawing.Rectangle =
-      vtkPattern::CoveredRectangle(bounds, modelToClip, drawing.Viewport.Drawn, 2);
-  }
+  drawing.Rectangle = this->Covered(drawing, this->DrawnBounds(), 2);
+  drawing.Whole = drawing.Rectangle;
   if (!this->DrawFields(drawing, modelToClip, true))
   {
     this->Superclass::Render(drawing.Renderer, drawing.Actor);
@@ -573,17 +679,12 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
   }
   const glm::dmat4 modelToClip = vtkPattern::DrawnProjection(drawing.Renderer) *
     vtkPattern::ModelView(drawing.Renderer, drawing.Actor);
-  double bounds[6];
-  this->GetBounds(bounds);
-  if (vtkBoundingBox::IsValid(bounds))
-  {
-    // Outlines look as far around a pixel as they are wide.
-    const double outline = vtkPatternScreenPass::OutlineWidth(this->Style, drawing.Viewport);
-    const int margin = 2 + static_cast<int>(std::ceil(1.5 * outline));
-    drawing.Rectangle =
-      vtkPattern::CoveredRectangle(bounds, modelToClip, drawing.Viewport.Drawn, margin);
-  }
-  if (drawing.Rectangle[2] > 0 && drawing.Rectangle[3] > 0)
+  // Outlines look as far around a pixel as they are wide.
+  const double outline = vtkPatternScreenPass::OutlineWidth(this->Style, drawing.Viewport);
+  const int margin = 2 + static_cast<int>(std::ceil(1.5 * outline));
+  drawing.Rectangle = this->Covered(drawing, this->DrawnBounds(), margin);
+  drawing.Whole = this->Covered(drawing, this->GetBounds(), margin);
+  if (drawing.Whole[2] > 0 && drawing.Whole[3] > 0)
   {
     vtkPatternShaderInjector* injector = this->Internal->AttributeInjector;
     injector->Configure(vtkPatternShaderInjector::ATTRIBUTES, this->Internal->Channels,
@@ -597,19 +698,10 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
       this->DrawAttributes(drawing, injector);
     }
     this->UploadPatchRecords(drawing);
-    this->DrawFields(drawing, modelToClip, false);
-    this->StoreStipples(drawing);
-    const vtkPatternScreenPass::Scene scene = { drawing.Renderer, drawing.Actor, drawing.Window,
-      this->Style, drawing.Viewport, drawing.Rectangle, drawing.Track->Frames, this->GetNanColor(),
-      drawing.Part.PatchRecords.Shapes.Texture, drawing.Part.PatchRecords.Weights.Texture };
-    if (!drawing.Part.ScreenPass.Draw(scene, resources, drawing.Part.Compositor))
-    {
-      this->Report(
-        "the shader of the style does not compile on this OpenGL", this->Internal->ReportedDevice);
-    }
+    this->DrawScreen(drawing, modelToClip);
     if (drawing.Measures)
     {
-      drawing.Track->Rectangle = drawing.Rectangle;
+      drawing.Track->Rectangle = drawing.Whole;
       drawing.Track->Visibility.SetShared(this->Controller != nullptr);
       drawing.Track->Visibility.MeasureOwn(drawing.Window, drawing.Track->Samples, modelToClip,
         drawing.Viewport.Drawn, resources.SurfaceDepth);
@@ -620,6 +712,25 @@ void vtkPatternMapper::RenderOpaque(Drawing& drawing)
     this->Stage = DrawStage::Remainder;
     this->Superclass::Render(drawing.Renderer, drawing.Actor);
     this->Stage = DrawStage::Stock;
+  }
+}
+
+// All that is drawn by pixels, where this process draws some of them.
+void vtkPatternMapper::DrawScreen(Drawing& drawing, const glm::dmat4& modelToClip)
+{
+  if (drawing.Rectangle[2] < 1 || drawing.Rectangle[3] < 1)
+  {
+    return;
+  }
+  this->DrawFields(drawing, modelToClip, false);
+  this->StoreStipples(drawing);
+  const vtkPatternScreenPass::Scene scene = { drawing.Renderer, drawing.Actor, drawing.Window,
+    this->Style, drawing.Viewport, drawing.Rectangle, drawing.Track->Frames, this->GetNanColor(),
+    drawing.Part.PatchRecords.Shapes.Texture, drawing.Part.PatchRecords.Weights.Texture };
+  if (!drawing.Part.ScreenPass.Draw(scene, *drawing.Part.Resources, drawing.Part.Compositor))
+  {
+    this->Report(
+      "the shader of the style does not compile on this OpenGL", this->Internal->ReportedDevice);
   }
 }
 
@@ -650,8 +761,7 @@ void vtkPatternMapper::DrawAttributes(Drawing& drawing, vtkPatternShaderInjector
     vtkOpenGLState::ScopedglColorMask colorMask(state);
     drawing.Part.Resources->BeginAttributes();
     state->vtkglEnable(GL_SCISSOR_TEST);
-    state->vtkglScissor(
-      drawing.Rectangle[0], drawing.Rectangle[1], drawing.Rectangle[2], drawing.Rectangle[3]);
+    state->vtkglScissor(drawing.Whole[0], drawing.Whole[1], drawing.Whole[2], drawing.Whole[3]);
     state->vtkglDisable(GL_BLEND);
     state->vtkglDepthMask(GL_TRUE);
     state->vtkglEnable(GL_DEPTH_TEST);
@@ -664,7 +774,9 @@ void vtkPatternMapper::DrawAttributes(Drawing& drawing, vtkPatternShaderInjector
     const ScopedInjector scoped(
       drawing.Actor, injector, drawing.Actor->IsRenderingTranslucentPolygonalGeometry());
     this->Stage = DrawStage::Surfaces;
+    this->ShowSurroundings(true);
     this->Superclass::Render(drawing.Renderer, drawing.Actor);
+    this->ShowSurroundings(false);
     this->Stage = DrawStage::Stock;
   }
   state->PopFramebufferBindings();

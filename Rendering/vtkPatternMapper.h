@@ -304,6 +304,12 @@ protected:
   vtkPatternMapper();
   ~vtkPatternMapper() override;
 
+  /**
+   * How far from what is drawn the surface must be known, in diagonals of the bounds: what the
+   * layers of the style reach in the picture, in the middle of the surface. At most 1.
+   */
+  double GetReach(vtkRenderer* renderer, vtkActor* actor);
+
 #ifdef VTK_PATTERN_MAPPER_HAS_DELEGATOR
   vtkCompositePolyDataMapperDelegator* CreateADelegator() override;
 #else
@@ -322,6 +328,9 @@ private:
   vtkPatternMapper* GetSteeringMapper();
   void UpdateChannels();
   void UpdateSurroundings();
+  void ShowSurroundings(bool shown);
+  const double* DrawnBounds();
+  std::array<int, 4> Covered(const Drawing& drawing, const double bounds[6], int margin) const;
   vtkPatternAttributes Attributes(const Drawing& drawing) const;
   void UpdatePatches(std::string& error);
   void UpdateTextureCoordinates(bool needed);
@@ -331,6 +340,7 @@ private:
   void Report(const std::string& error, std::string& reported);
   void RenderOpaque(Drawing& drawing);
   void RenderForward(Drawing& drawing);
+  void DrawScreen(Drawing& drawing, const glm::dmat4& modelToClip);
   void DrawAttributes(Drawing& drawing, vtkPatternShaderInjector* injector);
   void PeelTones(Drawing& drawing);
   void UploadPatchRecords(Drawing& drawing);

@@ -18,6 +18,8 @@
 #include "vtkPatternViewContext.h"
 #include "vtkPatternViewport.h"
 #include "vtkPatternWindowResources.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 
 #include <glm/vec3.hpp>
@@ -52,7 +54,10 @@ struct vtkPatternMapper::Internals
   bool UsesTextureCoordinates = false; // once needed, they stay in the vertex buffers
   bool UsesPrimitiveIds = false;       // the same
   unsigned long IdentifiedCells = 0;   // of the surface, whose ids the buffers hold
-  bool HasSurroundings = false;
+  std::vector<vtkSmartPointer<vtkPolyData>> Surroundings; // blocks that others draw
+  double DrawnBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  vtkDataObject* DrawnInput = nullptr; // that has these bounds
+  vtkMTimeType DrawnTime = 0;
   bool UsesRuns = false; // the same
   unsigned long CellsOfRuns = 0;
   std::map<vtkWindow*, WindowPart> Windows;
@@ -83,7 +88,9 @@ struct vtkPatternMapper::Drawing
   vtkPatternViewport Viewport;
   vtkPatternViewContext::Track* Track;
   bool Measures; // the visibility of the samples belongs to this drawing
-  std::array<int, 4> Rectangle = { 0, 0, 0, 0 };     // x, y, width, height in the framebuffer
+  // x, y, width, height in the framebuffer: of what is drawn here, and of the whole surface
+  std::array<int, 4> Rectangle = { 0, 0, 0, 0 };
+  std::array<int, 4> Whole = { 0, 0, 0, 0 };
   std::vector<vtkPatternTonePeel::Image> Tones = {}; // of a translucent surface
 };
 

@@ -276,8 +276,7 @@ std::string vtkPatternShaderInjector::StageText(bool colors) const
 {
   if (this->Stage == FORWARD)
   {
-    std::string ids = this->DrawsIds() ? Section("IdsForward") : std::string();
-    ids += this->Needed.Surroundings ? Section("SurroundingsForward") : std::string();
+    const std::string ids = this->DrawsIds() ? Section("IdsForward") : std::string();
     const bool bare = this->ComposeText.find("hachurePaperHere;") != std::string::npos;
     return this->SurfaceOutputs() + ids + Section(bare ? "ForwardNoPaper" : "Forward");
   }

@@ -26,6 +26,8 @@ public:
   using Superclass::SetInputDataObject;
   void SetInputDataObject(int port, vtkDataObject* part) override;
 
+  void Render(vtkRenderer* renderer, vtkActor* actor) override;
+
 protected:
   vtkPatternPartMapper() = default;
   ~vtkPatternPartMapper() override = default;
@@ -33,6 +35,9 @@ protected:
 private:
   vtkPatternPartMapper(const vtkPatternPartMapper&) = delete;
   void operator=(const vtkPatternPartMapper&) = delete;
+
+  void CutPart(vtkDataObject* part, vtkDataObject* whole);
+  void FitSurroundings(vtkRenderer* renderer, vtkActor* actor);
 
   vtkSmartPointer<vtkDataObject> WholeOfNext;
   vtkNew<vtkSurfacePart> Cut;

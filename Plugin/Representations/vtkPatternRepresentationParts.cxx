@@ -23,6 +23,25 @@ bool HasCells(vtkDataObject* surface)
   return surface && surface->GetNumberOfElements(vtkDataObject::CELL) > 0;
 }
 
+vtkSmartPointer<vtkDataObject> Copy(vtkDataObject* surface)
+{
+  auto copy = vtkSmartPointer<vtkDataObject>::Take(surface->NewInstance());
+  copy->ShallowCopy(surface);
+  return copy;
+}
+
+// The same without data: what processes send is put together only where structures match.
+vtkSmartPointer<vtkDataObject> Structure(vtkDataObject* surface)
+{
+  auto empty = vtkSmartPointer<vtkDataObject>::Take(surface->NewInstance());
+  auto* composite = vtkCompositeDataSet::SafeDownCast(surface);
+  if (composite)
+  {
+    vtkCompositeDataSet::SafeDownCast(empty)->CopyStructure(composite);
+  }
+  return empty;
+}
+
 // Of the data's processes; the client of a server is alone.
 bool IsFirstProcess()
 {
@@ -68,11 +87,9 @@ void vtkPatternRepresentation::SendWhole(vtkInformation* inInfo)
   if (!this->SentWhole || whole->GetMTime() != this->SentTime)
   {
     this->SentWhole = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-    if (IsFirstProcess() && HasCells(whole))
+    if (HasCells(whole))
     {
-      const auto copy = vtkSmartPointer<vtkDataObject>::Take(whole->NewInstance());
-      copy->ShallowCopy(whole);
-      this->SentWhole->SetBlock(0, copy);
+      this->SentWhole->SetBlock(0, IsFirstProcess() ? Copy(whole) : Structure(whole));
     }
     this->SentTime = whole->GetMTime();
   }

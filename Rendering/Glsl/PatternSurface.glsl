@@ -215,11 +215,6 @@ uniform float hachureNotDrawn; // 1 where another process draws the block
 //Section SurroundingsAttribute
   // VTK discards what has no alpha at all.
   gl_FragData[0].a = hachureNotDrawn > 0.5 ? 0.03 : gl_FragData[0].a;
-//Section SurroundingsForward
-  if (hachureNotDrawn > 0.5)
-  {
-    discard;
-  }
 //Section NoColors
   // Nobody looks at them, and the lighting that would make them falls away: a third of the time of a
   // surface of small triangles in software OpenGL.

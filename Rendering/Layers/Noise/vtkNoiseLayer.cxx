@@ -188,6 +188,18 @@ vtkMTimeType vtkNoiseLayer::GetMTime()
 }
 
 //------------------------------------------------------------------------------
+// A kernel reaches one radius, and what may hide it lies as far around it.
+double vtkNoiseLayer::GetReach(double dotsPerInch)
+{
+  constexpr double millimetresPerInch = 25.4;
+  const double unit = this->SizeUnit == MILLIMETRES ? dotsPerInch / millimetresPerInch : 1.0;
+  const double factor = this->Control == NO_CONTROL
+    ? 1.0
+    : std::max({ 1.0, this->SizeFactors[0] * this->RegularityFactors[0],
+        this->SizeFactors[1] * this->RegularityFactors[1] });
+  return 2.0 * factor * this->Regularity * this->Size * unit;
+}
+
 void vtkNoiseLayer::DescribeField(hachure::StyleArchive& archive)
 {
   using Self = vtkNoiseLayer;

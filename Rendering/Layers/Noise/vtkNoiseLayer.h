@@ -266,6 +266,7 @@ public:
   vtkMTimeType GetMTime() override;
 
 #ifndef __VTK_WRAP__
+  double GetReach(double dotsPerInch) override;
   void DescribeField(hachure::StyleArchive& archive) override;
 #endif
 

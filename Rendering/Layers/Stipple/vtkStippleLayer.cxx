@@ -9,6 +9,12 @@
 vtkStandardNewMacro(vtkStippleLayer);
 
 //------------------------------------------------------------------------------
+double vtkStippleLayer::GetReach(double dotsPerInch)
+{
+  constexpr double millimetresPerInch = 25.4;
+  return this->Size * (this->SizeUnit == MILLIMETRES ? dotsPerInch / millimetresPerInch : 1.0);
+}
+
 void vtkStippleLayer::DescribeField(hachure::StyleArchive& archive)
 {
   using Self = vtkStippleLayer;

@@ -146,6 +146,7 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
+  double GetReach(double dotsPerInch) override;
   void DescribeField(hachure::StyleArchive& archive) override;
 #endif
 

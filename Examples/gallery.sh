@@ -63,7 +63,7 @@ echo "$gallery/first-picture.png"
 
 # The figures of the paper; some print how far patterns slide.
 for figure in travelling patches elongated painting table skulls landscape engraving \
-  stipple_light stipple_moving stipple_refined stipple_uncertainty; do
+  stipple_light stipple_moving stipple_refined stipple_uncertainty pattern_legend; do
   PYTHONPATH="$package" /usr/bin/python3 "Examples/Figures/$figure.py" "$gallery/$figure.png"
   echo "$gallery/$figure.png"
 done

@@ -145,6 +145,10 @@ double StyleArchive::checkNumber(
     this->fail(key, std::string("expected a number, got ") + typeName(value));
   }
   const double number = value.asDouble();
+  if (this->session.copying)
+  {
+    return number;
+  }
   if (!(number >= range.least && number <= range.greatest))
   {
     this->fail(key,
@@ -261,7 +265,7 @@ void StyleArchive::readColor(const char* key, double* color)
 //------------------------------------------------------------------------------
 Json::Value StyleArchive::encodeNumber(const std::string& key, double value)
 {
-  if (!std::isfinite(value))
+  if (!std::isfinite(value) && !this->session.copying)
   {
     this->fail(key, "a number that is not finite cannot be written");
   }
@@ -397,9 +401,13 @@ void StyleArchive::writeFileName(const char* key, const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-void StyleArchive::imageFile(
+bool StyleArchive::imageFile(
   const char* key, vtkSmartPointer<vtkImageData>& image, std::string& imageFileName)
 {
+  if (this->session.copying)
+  {
+    return this->handOver(key, image, imageFileName);
+  }
   if (!this->isReading())
   {
     if (image && imageFileName.empty())
@@ -410,11 +418,11 @@ void StyleArchive::imageFile(
     {
       this->writeFileName(key, imageFileName);
     }
-    return;
+    return false;
   }
   if (!this->has(key))
   {
-    return;
+    return false;
   }
   const std::string fileName = this->readFileName(key);
   try
@@ -426,6 +434,7 @@ void StyleArchive::imageFile(
   {
     this->fail(key, error.what());
   }
+  return true;
 }
 
 } // namespace hachure

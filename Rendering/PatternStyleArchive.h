@@ -10,6 +10,7 @@
 
 #include "JsonText.h"
 #include "vtkImageData.h"
+#include "vtkObject.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtk_jsoncpp.h"
@@ -41,6 +42,10 @@ struct StyleSession
   double dotsPerInch = 96.0;  // of every length in millimetres
   std::string dotsPerInchKey; // what stated it first when reading; empty when nothing did
   int digits = 15;            // decimal digits that give back every number written so far
+  // Copying: what is written is read by another object of the same program. Objects are handed over
+  // as they are instead of the files that they came from, and numbers may be any.
+  bool copying = false;
+  std::vector<vtkSmartPointer<vtkObject>> objects = {};
 };
 
 class StyleArchive
@@ -235,8 +240,31 @@ public:
   void writeFileName(const char* key, const std::string& fileName);
   ///@}
 
-  /** The name of a picture file, which is read; an image without a file cannot be written. */
-  void imageFile(const char* key, vtkSmartPointer<vtkImageData>& image, std::string& imageFileName);
+  /** The name of a picture file, which is read; an image without a file cannot be written. Returns
+   * whether the image or its name has become another one. */
+  bool imageFile(const char* key, vtkSmartPointer<vtkImageData>& image, std::string& imageFileName);
+
+  /** Copying: an object and its file. Returns whether either has become another one. */
+  template <class Object>
+  bool handOver(const char* key, vtkSmartPointer<Object>& object, std::string& fileName)
+  {
+    StyleSession& shared = this->session;
+    const vtkSmartPointer<Object> known = object;
+    const std::string knownName = fileName;
+    this->group(key,
+      [&](StyleArchive& inner)
+      {
+        int index = static_cast<int>(shared.objects.size());
+        if (!shared.reading)
+        {
+          shared.objects.emplace_back(object);
+        }
+        inner.value("object", index, { 0.0, static_cast<double>(shared.objects.size()) });
+        inner.value("file", fileName);
+        object = Object::SafeDownCast(shared.objects[static_cast<std::size_t>(index)]);
+      });
+    return object != known || fileName != knownName;
+  }
 
   /** An object inside this one; body gets the archive of that object. */
   template <class Body>

@@ -89,6 +89,17 @@ void describeInk(StyleArchive& archive, vtkPatternLayer* layer)
     { "over", "multiply", "overlay", "screen" });
 }
 
+/** A layer of a type; null where there is none of that name. */
+LayerPointer newLayer(const std::string& type)
+{
+  LayerPointer layer;
+  for (const LayerType& known : layerTypes())
+  {
+    layer = known.name == type ? known.create() : layer;
+  }
+  return layer;
+}
+
 //------------------------------------------------------------------------------
 void describeLayer(StyleArchive& archive, LayerPointer& layer)
 {
@@ -103,8 +114,8 @@ void describeLayer(StyleArchive& archive, LayerPointer& layer)
     for (const LayerType& type : layerTypes())
     {
       known += (known.empty() ? "\"" : ", \"") + type.name + "\"";
-      layer = type.name == name ? type.create() : layer;
     }
+    layer = layer ? layer : newLayer(name); // there already where layers are copied
     if (!layer)
     {
       archive.fail("type", "unknown \"" + name + "\"; expected one of " + known);
@@ -177,17 +188,51 @@ void describeSettings(StyleArchive& archive, vtkPatternStyle* style)
 }
 
 //------------------------------------------------------------------------------
-/** Runs the settings of one style over to another. */
+/** Runs what `describe` lists of one object over to another. */
+template <class Object, class Describe>
+void copy(StyleSession& session, Object& source, Object& target, Describe&& describe)
+{
+  Json::Value content(Json::objectValue);
+  session.reading = false;
+  StyleArchive writer(session, content, "");
+  describe(writer, source);
+  session.reading = true;
+  StyleArchive reader(session, content, "");
+  describe(reader, target);
+}
+
+//------------------------------------------------------------------------------
 void copySettings(vtkPatternStyle* source, vtkPatternStyle* target)
 {
   StyleSession session;
-  session.reading = false;
-  Json::Value settings(Json::objectValue);
-  StyleArchive writer(session, settings, "");
-  describeSettings(writer, source);
-  session.reading = true;
-  StyleArchive reader(session, settings, "");
-  describeSettings(reader, target);
+  session.copying = true;
+  session.dotsPerInch = source->GetDotsPerInch();
+  copy(session, source, target, describeSettings);
+  target->SetDotsPerInch(source->GetDotsPerInch());
+}
+
+//------------------------------------------------------------------------------
+/** Gives a style layers of the types that another one has, and keeps those that are of them. */
+void matchLayers(vtkPatternStyle* source, vtkPatternStyle* target)
+{
+  const int count = source->GetNumberOfLayers();
+  for (int i = 0; i < count; ++i)
+  {
+    const std::string type = source->GetLayer(i)->GetTypeName();
+    const bool exists = i < target->GetNumberOfLayers();
+    if (!exists || target->GetLayer(i)->GetTypeName() != type)
+    {
+      if (exists)
+      {
+        target->RemoveLayer(target->GetLayer(i));
+      }
+      target->InsertLayer(i, newLayer(type));
+    }
+  }
+  while (target->GetNumberOfLayers() > count)
+  {
+    target->RemoveLayer(target->GetLayer(count));
+  }
 }
 
 } // namespace
@@ -213,8 +258,8 @@ void readStyle(const std::string& text, const std::string& folder, vtkPatternSty
       describeSettings(top, fresh);
       top.list("layers", layers, describeLayer);
     });
+  fresh->SetDotsPerInch(session.dotsPerInch);
   copySettings(fresh, style);
-  style->SetDotsPerInch(session.dotsPerInch);
   style->RemoveAllLayers();
   for (const LayerPointer& layer : layers)
   {
@@ -240,6 +285,22 @@ std::string writeStyle(vtkPatternStyle* style, const std::string& folder)
   describeSettings(archive, style);
   archive.list("layers", layers, describeLayer);
   return jsonText(root, session.digits);
+}
+
+//------------------------------------------------------------------------------
+void copyStyle(vtkPatternStyle* source, vtkPatternStyle* target)
+{
+  copySettings(source, target);
+  matchLayers(source, target);
+  for (int i = 0; i < source->GetNumberOfLayers(); ++i)
+  {
+    StyleSession session;
+    session.copying = true;
+    session.dotsPerInch = source->GetDotsPerInch();
+    LayerPointer from = source->GetLayer(i);
+    LayerPointer to = target->GetLayer(i);
+    copy(session, from, to, describeLayer);
+  }
 }
 
 } // namespace hachure

@@ -23,6 +23,12 @@ void readStyle(const std::string& text, const std::string& folder, vtkPatternSty
  */
 std::string writeStyle(vtkPatternStyle* style, const std::string& folder);
 
+/**
+ * Makes a style equal to another one. Layers of the same type in the same place stay the objects
+ * that they are, and nothing is modified that is equal already; images and views are shared.
+ */
+void copyStyle(vtkPatternStyle* source, vtkPatternStyle* target);
+
 } // namespace hachure
 
 #endif

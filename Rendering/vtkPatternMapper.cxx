@@ -441,12 +441,18 @@ vtkPatternAttributes vtkPatternMapper::Attributes(const Drawing& drawing) const
   return attributes;
 }
 
+void vtkPatternMapper::SetDrawsLegend(bool legend)
+{
+  this->Internal->Channels.SetStandIns(legend);
+}
+
 void vtkPatternMapper::UpdatePatches(std::string& error)
 {
   const unsigned long before = this->Internal->Patches.GetVersion();
   this->Internal->Patches.Collect(this->GetSurfaceData(), this->PatchArrayName, error);
-  if (this->Internal->Patches.GetVersion() != before)
+  if (this->Internal->Patches.GetVersion() != before || this->Internal->PatchesBeginAnew)
   {
+    this->Internal->PatchesBeginAnew = false;
     double center[3] = { 0.0, 0.0, 0.0 };
     const vtkBoundingBox box(this->GetBounds());
     if (box.IsValid())
@@ -571,6 +577,10 @@ void vtkPatternMapper::Render(vtkRenderer* renderer, vtkActor* actor)
     return;
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!this->TrackedMapper && !viewport.IsTile)
+  {
+    vtkPatternViewContext::Get(renderer)->BeginFrame(this, actor);
+  }
   this->UpdateChannels();
   this->UpdateSurroundings();
   std::string error = this->Internal->ChannelError;

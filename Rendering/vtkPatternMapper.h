@@ -209,10 +209,18 @@ public:
   vtkGetMacro(NoiseBackEnd, int);
   ///@}
 
+  ///@{
   /**
-   * Forgets how the patterns have moved in a renderer: the next frame anchors them anew.
+   * Forgets how the patterns have moved in a renderer, or in all of them: the next frame is drawn
+   * as if it were the first one, whatever was drawn before. So is, by itself, a frame where time
+   * has come back from a later one to that of the first one or before it, so that an animation that
+   * is played again is the same again. Time is that of the data where it has moved since the last
+   * frame, else AnimationTime. Who goes back from the first frame on is followed, but not in the
+   * tracking mode ANCHORED, where marks are then made anew, too.
    */
   virtual void Reanchor(vtkRenderer* renderer);
+  virtual void Reanchor();
+  ///@}
 
   ///@{
   /**
@@ -276,6 +284,12 @@ public:
   void AppendRuns(vtkPolyData* block, std::vector<float>& records);
   std::vector<hachure::PatternFrame> AnchoredFrames(const hachure::TrackedSamples& samples,
     const hachure::ViewProjection& view, vtkRenderer* renderer);
+  /// Another number after every Reanchor() in all renderers.
+  unsigned long GetAnchorVersion() const;
+  /// The surface as it is now is where marks are made; internal.
+  void AnchorSurface();
+  /// Draws a legend's patch, whose arrays stand in for light, see vtkPatternToneChannels.
+  void SetDrawsLegend(bool legend);
   /// Whether the stipples of pictures are kept for CollectStipples. Switched off they are
   /// forgotten.
   void KeepStipples(bool keep);

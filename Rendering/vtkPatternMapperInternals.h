@@ -48,6 +48,7 @@ struct vtkPatternMapper::Internals
   vtkPatternPatches Patches;
   vtkPatternPatchRecords PatchRecords;
   glm::dvec3 PatchOrigin{ 0.0 };
+  bool PatchesBeginAnew = false; // their origin, too
   vtkPatternSurface Surface;
   vtkTimeStamp ChannelTime;
   bool UsesTextureCoordinates = false; // once needed, they stay in the vertex buffers
@@ -66,6 +67,7 @@ struct vtkPatternMapper::Internals
   bool KeepsStipples = false;
   std::map<std::pair<vtkRenderer*, vtkActor*>, std::vector<vtkPatternLayerPainter::Disc>> Stipples;
   std::vector<double> KeyTimes;
+  unsigned long AnchorVersion = 0;
   std::string ChannelError;
   std::string ReportedStyle;
   std::map<vtkRenderer*, std::string> ReportedLights; // renderers may have different ones

@@ -21,7 +21,22 @@ void vtkPatternMapper::Reanchor(vtkRenderer* renderer)
   {
     context->Reanchor(this);
   }
-  this->Internal->Surface.ForgetStipples();
+}
+
+void vtkPatternMapper::Reanchor()
+{
+  ++this->Internal->AnchorVersion;
+}
+
+unsigned long vtkPatternMapper::GetAnchorVersion() const
+{
+  return this->Internal->AnchorVersion;
+}
+
+void vtkPatternMapper::AnchorSurface()
+{
+  this->Internal->Surface.BeginAnew();
+  this->Internal->PatchesBeginAnew = true;
 }
 
 namespace

@@ -36,8 +36,11 @@ glm::dvec3 Point(vtkPolyData* data, long long id)
 bool vtkPatternSamples::Update(vtkDataObject* input, const Options& options, Surface* replaced)
 {
   const vtkPatternGeometry::Change change = this->Geometry.Update(input);
-  const bool sameSamples =
-    change != vtkPatternGeometry::REPLACED && !(options != this->Current) && this->SetVersion > 0;
+  const bool moved =
+    change != vtkPatternGeometry::NOTHING || this->PositionVersion != this->FirstPositionVersion;
+  const bool sameSamples = change != vtkPatternGeometry::REPLACED && !(options != this->Current) &&
+    this->SetVersion > 0 && !(this->IsAnew && moved);
+  this->IsAnew = false;
   if (sameSamples && change == vtkPatternGeometry::NOTHING)
   {
     return false;
@@ -52,7 +55,13 @@ bool vtkPatternSamples::Update(vtkDataObject* input, const Options& options, Sur
     this->Sample(input, options);
   }
   this->Move();
+  this->FirstPositionVersion = sameSamples ? this->FirstPositionVersion : this->PositionVersion;
   return true;
+}
+
+void vtkPatternSamples::BeginAnew()
+{
+  this->IsAnew = true;
 }
 
 void vtkPatternSamples::Read(const std::string& role, const std::string& name, int components,

@@ -63,6 +63,9 @@ public:
   /// are replaced go to `replaced`, where that is not null.
   bool Update(vtkDataObject* input, const Options& options, Surface* replaced = nullptr);
 
+  /// The next update makes new samples if the surface has moved since these were made.
+  void BeginAnew();
+
   /// Reads a named array of the blocks of the last update: interpolated between points, or that of
   /// the cell. Does nothing while neither samples nor array change. Throws std::invalid_argument
   /// that begins with `role` and names the array.
@@ -98,6 +101,8 @@ private:
   glm::dvec3 Center{ 0.0 };
   std::uint64_t SetVersion = 0;
   std::uint64_t PositionVersion = 0;
+  std::uint64_t FirstPositionVersion = 0; // of this set
+  bool IsAnew = false;                    // asked for
 };
 
 #endif

@@ -11,9 +11,7 @@
 #include "PatternScreenVS.h"
 #include "PatternSurfaceImages.h"
 #include "vtkActor.h"
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkPatternCompositor.h"
 #include "vtkPatternShaderText.h"
@@ -31,7 +29,7 @@ namespace
 // which are the same for all of it. Software OpenGL reads those once, but uniforms for every
 // fragment and number by number: a quarter of the time of a drawing in three layers. As many as any
 // OpenGL takes.
-std::string VertexText(std::string& fragment)
+std::string TakeUniforms(std::string& fragment)
 {
   constexpr int vectorsOfAnyOpenGL = 16;
   int free = vectorsOfAnyOpenGL - 1; // one is the texture coordinate's
@@ -83,7 +81,7 @@ double vtkPatternScreenPass::OutlineWidth(
     style->GetLengthInPixels(style->GetOutlineWidth(), style->GetOutlineWidthUnit());
 }
 
-std::string vtkPatternScreenPass::Text(
+std::string vtkPatternScreenPass::TextOf(
   vtkPatternStyle* style, vtkPatternCompositor& compositor, bool outline)
 {
   std::string text = PatternScreenFS;
@@ -131,23 +129,15 @@ vtkShaderProgram* vtkPatternScreenPass::Prepare(
   const Scene& scene, vtkPatternCompositor& compositor)
 {
   const bool outline = OutlineWidth(scene.Style, scene.Viewport) > 0.0;
-  const std::string text = Text(scene.Style, compositor, outline);
-  if (!this->Quad || this->QuadText != text)
+  const std::string text = TextOf(scene.Style, compositor, outline);
+  if (this->Text != text)
   {
-    this->ReleaseGraphicsResources(scene.Window);
-    std::string fragment = text;
-    const std::string vertex = VertexText(fragment);
-    this->Quad =
-      std::make_unique<vtkOpenGLQuadHelper>(scene.Window, vertex.c_str(), fragment.c_str(), "");
-    this->QuadText = text;
+    this->Text = text;
+    this->FragmentText = text;
+    this->VertexText = TakeUniforms(this->FragmentText);
   }
-  vtkShaderProgram* program = this->Quad->Program;
-  if (!program || !program->GetCompiled())
-  {
-    return nullptr;
-  }
-  scene.Window->GetShaderCache()->ReadyShaderProgram(program);
-  if (outline)
+  vtkShaderProgram* program = this->Quad.Ready(scene.Window, this->VertexText, this->FragmentText);
+  if (program && outline)
   {
     SetOutline(scene, program);
     SetUnprojection(scene, program);
@@ -204,15 +194,14 @@ bool vtkPatternScreenPass::Draw(
       image.second->Deactivate();
     }
   }
-  this->Place(scene, resources);
-  return true;
+  return this->Place(scene, resources);
 }
 
 namespace
 {
 // Draws a quad over a rectangle of the framebuffer; blends: over what is there, else instead.
-void RenderWithin(vtkOpenGLState* state, const std::array<int, 4>& rectangle,
-  vtkOpenGLQuadHelper& quad, bool blends = false)
+void RenderWithin(vtkOpenGLState* state, const std::array<int, 4>& rectangle, vtkPatternQuad& quad,
+  bool blends = false)
 {
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
@@ -242,20 +231,18 @@ void vtkPatternScreenPass::DrawLayers(const Scene& scene, vtkPatternWindowResour
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglDepthMask(GL_FALSE);
     state->vtkglDepthFunc(GL_GREATER);
-    RenderWithin(state, scene.Rectangle, *this->Quad);
+    RenderWithin(state, scene.Rectangle, this->Quad);
   }
   state->PopFramebufferBindings();
 }
 
-void vtkPatternScreenPass::Place(const Scene& scene, vtkPatternWindowResources& resources)
+bool vtkPatternScreenPass::Place(const Scene& scene, vtkPatternWindowResources& resources)
 {
-  if (!this->PlaceQuad)
+  vtkShaderProgram* program = this->PlaceQuad.Ready(scene.Window, {}, PatternPlaceFS);
+  if (!program)
   {
-    this->PlaceQuad =
-      std::make_unique<vtkOpenGLQuadHelper>(scene.Window, nullptr, PatternPlaceFS, "");
+    return false;
   }
-  vtkShaderProgram* program = this->PlaceQuad->Program;
-  scene.Window->GetShaderCache()->ReadyShaderProgram(program);
   resources.DrawnColor->Activate();
   resources.SurfaceDepth->Activate();
   program->SetUniformi("hachureDrawn", resources.DrawnColor->GetTextureUnit());
@@ -270,18 +257,19 @@ void vtkPatternScreenPass::Place(const Scene& scene, vtkPatternWindowResources& 
     vtkOpenGLState::ScopedglDepthMask depthMask(state);
     vtkOpenGLState::ScopedglColorMask colorMask(state);
     state->vtkglDepthMask(GL_FALSE);
-    RenderWithin(state, scene.Rectangle, *this->PlaceQuad, true);
+    RenderWithin(state, scene.Rectangle, this->PlaceQuad, true);
     state->vtkglDepthMask(GL_TRUE);
     state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     program->SetUniformf("hachureMostLeftOut", half);
-    RenderWithin(state, scene.Rectangle, *this->PlaceQuad);
+    RenderWithin(state, scene.Rectangle, this->PlaceQuad);
   }
   else
   {
-    RenderWithin(state, scene.Rectangle, *this->PlaceQuad);
+    RenderWithin(state, scene.Rectangle, this->PlaceQuad);
   }
   resources.SurfaceDepth->Deactivate();
   resources.DrawnColor->Deactivate();
+  return true;
 }
 
 void vtkPatternScreenPass::SetOutline(const Scene& scene, vtkShaderProgram* program)
@@ -332,12 +320,6 @@ void vtkPatternScreenPass::SetUnprojection(const Scene& scene, vtkShaderProgram*
 
 void vtkPatternScreenPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (auto* quad : { &this->Quad, &this->PlaceQuad })
-  {
-    if (*quad)
-    {
-      (*quad)->ReleaseGraphicsResources(window);
-      quad->reset();
-    }
-  }
+  this->Quad.ReleaseGraphicsResources(window);
+  this->PlaceQuad.ReleaseGraphicsResources(window);
 }

@@ -8,14 +8,13 @@
 #define vtkPatternScreenPass_h
 
 #include "PatternTracker.h"
+#include "vtkPatternQuad.h"
 
 #include <array>
-#include <memory>
 #include <string>
 #include <vector>
 
 class vtkActor;
-class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkPatternCompositor;
 class vtkPatternStyle;
@@ -56,15 +55,17 @@ public:
 
 private:
   vtkShaderProgram* Prepare(const Scene& scene, vtkPatternCompositor& compositor);
-  static std::string Text(vtkPatternStyle* style, vtkPatternCompositor& compositor, bool outline);
+  static std::string TextOf(vtkPatternStyle* style, vtkPatternCompositor& compositor, bool outline);
   static void SetOutline(const Scene& scene, vtkShaderProgram* program);
   static void SetUnprojection(const Scene& scene, vtkShaderProgram* program);
   void DrawLayers(const Scene& scene, vtkPatternWindowResources& resources);
-  void Place(const Scene& scene, vtkPatternWindowResources& resources);
+  bool Place(const Scene& scene, vtkPatternWindowResources& resources);
 
-  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
-  std::string QuadText;
-  std::unique_ptr<vtkOpenGLQuadHelper> PlaceQuad;
+  vtkPatternQuad Quad;
+  std::string Text;
+  std::string VertexText; // made of it, as is the next one
+  std::string FragmentText;
+  vtkPatternQuad PlaceQuad;
 };
 
 #endif

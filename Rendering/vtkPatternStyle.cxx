@@ -234,6 +234,19 @@ bool vtkPatternStyle::LoadFile(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
+void vtkPatternStyle::CopyFrom(vtkPatternStyle* other)
+{
+  if (!other)
+  {
+    vtkErrorMacro("CopyFrom: expected a style, got null.");
+  }
+  else if (other != this)
+  {
+    hachure::copyStyle(other, this);
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string vtkPatternStyle::ToJson()
 {
   try

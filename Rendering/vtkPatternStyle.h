@@ -242,6 +242,13 @@ public:
   virtual bool LoadFile(const std::string& fileName);
   ///@}
 
+  /** Becomes what another style is, but for PixelScale and FinalQuality. Layers stay the objects
+   * that they are where the other style has one of the same type in their place, and nothing is
+   * modified that is equal already, so that what was made of the rest is kept: noise and stipples
+   * of earlier pictures, the state of transitions, the colours of views. Images and views are
+   * shared. Null is refused with an error. */
+  virtual void CopyFrom(vtkPatternStyle* other);
+
   ///@{
   /** Writes every parameter but PixelScale and FinalQuality as JSON that reads back to the same
    * values. The text is empty, or false is returned, after an error, when an image has no file or

@@ -154,8 +154,10 @@ hachure::StippleHierarchy HierarchyOf(const hachure::LivingStipples& living)
 
 bool vtkPatternSurface::State::Follows(const State& before) const
 {
+  // Where the data stand still, as while properties of a filter are animated, another clock counts.
   const double data = this->DataTime - before.DataTime;
-  const double passed = std::isfinite(data) ? data : this->AnimationTime - before.AnimationTime;
+  const bool moves = std::isfinite(data) && data != 0.0;
+  const double passed = moves ? data : this->AnimationTime - before.AnimationTime;
   return this->Lineage == before.Lineage && !(passed < 0.0);
 }
 
@@ -175,22 +177,28 @@ void vtkPatternSurface::Update(vtkDataObject* input, const Source& source)
     ++this->CellVersion;
     this->FacetOfTriangle.clear();
     this->RunsOfPoints = {};
-    this->Replace(input, source);
   }
+  const bool related =
+    !this->IsAnew && this->Algorithm == source.Algorithm && this->Port == source.Port;
+  const bool again = this->IsAnew && (change == vtkPatternGeometry::MOVED || this->HasMoved());
+  if (change == vtkPatternGeometry::REPLACED || again)
+  {
+    this->Replace(input, related);
+  }
+  this->IsAnew = false;
   this->Algorithm = source.Algorithm;
   this->Port = source.Port;
   this->Current->DataTime = source.DataTime;
   this->Current->AnimationTime = source.AnimationTime;
-  if (change != vtkPatternGeometry::NOTHING)
+  if (change != vtkPatternGeometry::NOTHING || again)
   {
     ++this->Version;
     this->Move();
   }
 }
 
-void vtkPatternSurface::Replace(vtkDataObject* input, const Source& source)
+void vtkPatternSurface::Replace(vtkDataObject* input, bool related)
 {
-  const bool related = this->Algorithm == source.Algorithm && this->Port == source.Port;
   const std::shared_ptr<State> before = this->Current;
   this->Arrays.clear();
   this->Current = std::make_shared<State>();
@@ -491,6 +499,20 @@ std::shared_ptr<vtkPatternSurface::StippleSet> vtkPatternSurface::Stipples(const
   return { this->Current, &found->second };
 }
 
+void vtkPatternSurface::BeginAnew()
+{
+  this->IsAnew = true;
+  this->ForgetStipples();
+}
+
+bool vtkPatternSurface::HasMoved() const
+{
+  const State& state = *this->Current;
+  return !std::equal(state.Positions.begin(), state.Positions.end(), state.Surface.points.begin(),
+    state.Surface.points.end());
+}
+
+// Those carried from surfaces before.
 void vtkPatternSurface::ForgetStipples()
 {
   State& state = *this->Current;

@@ -127,8 +127,8 @@ public:
   /// The surface as it was first; points of no triangle are finite.
   std::vector<glm::dvec3> FirstPositions() const;
 
-  /// Those carried from surfaces before.
-  void ForgetStipples();
+  /// The next update finds a surface without a past: marks are made where it is then.
+  void BeginAnew();
 
   hachure::TriangleMesh Mesh() const
   {
@@ -165,7 +165,9 @@ private:
     vtkDataArray* Cells; // of the block, for every cell of the part; null: those of the same number
   };
   Part FindPart(vtkPolyData* drawn) const;
-  void Replace(vtkDataObject* input, const Source& source);
+  void Replace(vtkDataObject* input, bool related);
+  bool HasMoved() const;
+  void ForgetStipples();
   void Identify(vtkDataObject* input);
   const std::vector<glm::ivec3>& Outward();
   StippleSet MakeStipples(const StippleKey& key);
@@ -179,6 +181,7 @@ private:
   std::uint64_t InputTime = 0;
   unsigned long Version = 0;
   unsigned long CellVersion = 0;
+  bool IsAnew = false;                       // asked for
   std::vector<std::int32_t> FacetOfTriangle; // empty: not asked for yet
   hachure::TriangleRuns RunsOfPoints;        // the same
   std::map<std::pair<std::string, int>, vtkPatternSurfaceArray> Arrays;

@@ -124,6 +124,33 @@ bool vtkPatternToneChannel::operator==(const vtkPatternToneChannel& other) const
     this->LightIndex == other.LightIndex && this->HighlightPower == other.HighlightPower;
 }
 
+std::string vtkPatternToneChannels::StandIn(vtkPatternTone* tone)
+{
+  const vtkPatternToneChannel channel = Describe(tone);
+  std::ostringstream name;
+  name << "source " << channel.Source;
+  if (channel.Source == vtkPatternTone::ARRAY)
+  {
+    name << ", component " << channel.Component << " of " << channel.ArrayName;
+  }
+  return name.str();
+}
+
+vtkPatternToneChannel vtkPatternToneChannels::ChannelOf(vtkPatternTone* tone) const
+{
+  vtkPatternToneChannel channel = Describe(tone);
+  if (this->StandIns)
+  {
+    vtkPatternToneChannel standIn;
+    standIn.Source = vtkPatternTone::ARRAY;
+    standIn.ArrayName = StandIn(tone);
+    standIn.Association = vtkPatternTone::POINTS;
+    standIn.Range = channel.Range;
+    return standIn;
+  }
+  return channel;
+}
+
 void vtkPatternToneChannels::Collect(
   vtkPatternStyle* style, vtkDataObject* input, std::string& error)
 {
@@ -137,7 +164,7 @@ void vtkPatternToneChannels::Collect(
     {
       continue;
     }
-    vtkPatternToneChannel channel = Describe(layer->GetTone());
+    vtkPatternToneChannel channel = this->ChannelOf(layer->GetTone());
     if (this->Channels.size() == Maximum)
     {
       error =
@@ -181,7 +208,7 @@ int vtkPatternToneChannels::Find(vtkPatternTone* tone) const
   {
     return -1;
   }
-  vtkPatternToneChannel wanted = Describe(tone);
+  vtkPatternToneChannel wanted = this->ChannelOf(tone);
   for (std::size_t i = 0; i < this->Channels.size(); ++i)
   {
     wanted.OnCells = this->Channels[i].OnCells; // found, not asked for

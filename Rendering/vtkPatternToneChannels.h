@@ -36,6 +36,12 @@ public:
   /// Channels that fit the attribute image.
   static constexpr std::size_t Maximum = 4;
 
+  /// On a legend every tone has an array of points, StandIn() of it, for light that is not there.
+  void SetStandIns(bool standIns) { this->StandIns = standIns; }
+  /// What an array stands in for a tone: sources that are equal everywhere have the same one. An
+  /// array of the surface has tuples of one component here, any other holds tones.
+  static std::string StandIn(vtkPatternTone* tone);
+
   /// Channels of the style's enabled layers. Where an array is missing, not numeric, has too few
   /// components or an empty range, `error` says so and the channel keeps its place without data.
   void Collect(vtkPatternStyle* style, vtkDataObject* input, std::string& error);
@@ -55,7 +61,10 @@ public:
   static std::vector<float> Values(const vtkPatternToneChannel& channel, vtkPolyData* block);
 
 private:
+  vtkPatternToneChannel ChannelOf(vtkPatternTone* tone) const;
+
   std::vector<vtkPatternToneChannel> Channels;
+  bool StandIns = false;
 };
 
 #endif

@@ -47,12 +47,34 @@ unsigned long NextFrameNumber()
   return ++last;
 }
 
-// Time that has passed since the last advance, by the data's clock where both frames have one.
+// Time that has passed between two moments, by the data's clock where both have one; it may stand.
+double TimeBetween(
+  const vtkPatternViewContext::Moment& before, const vtkPatternViewContext::Moment& after)
+{
+  const double data = after.DataTime - before.DataTime;
+  return std::isfinite(data) ? data : after.AnimationTime - before.AnimationTime;
+}
+
+// The same by the clock of AnimationTime where that of the data stands.
+double TimeBetweenMoving(
+  const vtkPatternViewContext::Moment& before, const vtkPatternViewContext::Moment& after)
+{
+  const double data = TimeBetween(before, after);
+  return data != 0.0 ? data : after.AnimationTime - before.AnimationTime;
+}
+
+// Since the last advance, for what moves with the data.
 double TimePassed(const vtkPatternViewContext::Track& track)
 {
-  const double data =
-    vtkPatternViewContext::DataTimeOf(track.Mapper->GetSurfaceData()) - track.DataTime;
-  return std::isfinite(data) ? data : track.Mapper->GetAnimationTime() - track.AnimationTime;
+  return TimeBetween(track.Advanced, vtkPatternViewContext::MomentOf(track.Mapper));
+}
+
+// The same for what takes a time. The clock of data that stand would stop it.
+double TransitionTimePassed(const vtkPatternViewContext::Track& track)
+{
+  const auto now = vtkPatternViewContext::MomentOf(track.Mapper);
+  return track.DataMoves ? TimeBetween(track.Advanced, now)
+                         : TimeBetweenMoving(track.Advanced, now);
 }
 
 // Gives a tracker the present samples of a surface. Where the velocity of those before is known,
@@ -138,6 +160,11 @@ double vtkPatternViewContext::DataTimeOf(vtkDataObject* input)
     : std::numeric_limits<double>::quiet_NaN();
 }
 
+vtkPatternViewContext::Moment vtkPatternViewContext::MomentOf(vtkPatternMapper* mapper)
+{
+  return { DataTimeOf(mapper->GetSurfaceData()), mapper->GetAnimationTime() };
+}
+
 vtkPatternViewContext::vtkPatternViewContext() = default;
 vtkPatternViewContext::~vtkPatternViewContext() = default;
 
@@ -213,14 +240,60 @@ void vtkPatternViewContext::Reanchor(vtkPatternMapper* mapper)
   {
     if (track->Mapper == mapper)
     {
-      track->Tracker.reanchor();
-      track->KnownOctaves.clear();
-      track->Noise.Forget();
-      track->Stipples.Forget();
-      track->View = hachure::ViewProjection();
-      track->Visibility.Forget();
+      this->Forget(*track);
     }
   }
+}
+
+void vtkPatternViewContext::Forget(Track& track)
+{
+  track.Tracker.reanchor();
+  track.KnownOctaves.clear();
+  track.Noise.Forget();
+  track.Stipples.Forget();
+  track.View = hachure::ViewProjection();
+  track.Visibility.Forget();
+  track.Samples.BeginAnew();
+  track.SetVersion = 0;
+  track.Before = vtkPatternSamples::Surface();
+  track.VelocityBefore.clear();
+  track.FeaturesBefore.clear();
+  track.DataMoves = false;
+  track.Advanced = MomentOf(track.Mapper);
+  track.First = track.Advanced;
+  track.Mapper->AnchorSurface();
+}
+
+// Whether time has come back to when the patterns began: from a later one, as where an animation
+// begins again. Who goes back from there on is followed, unless nothing follows.
+bool vtkPatternViewContext::IsBack(const Track& track, const Moment& now)
+{
+  if (TimeBetweenMoving(track.Last, now) >= 0.0 || TimeBetweenMoving(track.First, now) > 0.0)
+  {
+    return false;
+  }
+  const bool anchored = track.Mapper->GetStyle()->GetTrackingMode() == vtkPatternStyle::ANCHORED;
+  return anchored || TimeBetweenMoving(track.First, track.Last) > 0.0;
+}
+
+void vtkPatternViewContext::BeginFrame(vtkPatternMapper* mapper, vtkActor* actor)
+{
+  Track* track = this->FindTrack(mapper, actor);
+  if (!track)
+  {
+    return;
+  }
+  const Moment now = MomentOf(mapper);
+  if (IsBack(*track, now) || track->AnchorVersion != mapper->GetAnchorVersion())
+  {
+    this->Forget(*track);
+  }
+  if (TimeBetweenMoving(track->First, now) < 0.0)
+  {
+    track->First = now;
+  }
+  track->AnchorVersion = mapper->GetAnchorVersion();
+  track->Last = now;
 }
 
 void vtkPatternViewContext::StartFrame()
@@ -275,6 +348,8 @@ vtkPatternViewContext::Track* vtkPatternViewContext::Advance(
     track = this->Tracks.back().get();
     track->Mapper = mapper;
     track->Actor = actor;
+    track->Advanced = track->First = track->Last = MomentOf(mapper);
+    track->AnchorVersion = mapper->GetAnchorVersion();
   }
   try
   {
@@ -392,8 +467,8 @@ void vtkPatternViewContext::LookOn(Track& track, const hachure::TrackedSamples& 
     HandOver(track, samples, view, copy);
   }
   track.Frames = copy.preview(samples, view);
-  track.Octaves =
-    Advanced(track.KnownOctaves, track.Mapper->GetStyle(), track.Frames, TimePassed(track), false);
+  track.Octaves = Advanced(
+    track.KnownOctaves, track.Mapper->GetStyle(), track.Frames, TransitionTimePassed(track), false);
 }
 
 void vtkPatternViewContext::AdvanceTracker(Track& track, const hachure::TrackedSamples& samples,
@@ -421,9 +496,10 @@ void vtkPatternViewContext::AdvanceTracker(Track& track, const hachure::TrackedS
   track.Moved = changed || replaced || track.Tracker.drawn().empty() ||
     !NearlyEqual(view, track.View, sameViewTolerance);
   track.Frame = this->FrameNumber;
-  const double passed = TimePassed(track);
-  track.DataTime = DataTimeOf(track.Mapper->GetSurfaceData());
-  track.AnimationTime = track.Mapper->GetAnimationTime();
+  const double passed = TransitionTimePassed(track);
+  const double data = TimePassed(track);
+  track.Advanced = MomentOf(track.Mapper);
+  track.DataMoves = track.DataMoves || (std::isfinite(track.Advanced.DataTime) && data != 0.0);
   if (track.Moved)
   {
     track.Tracker.advance(samples, view);

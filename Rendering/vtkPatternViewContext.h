@@ -52,6 +52,14 @@ public:
   /// The context of a renderer, null where there is none.
   static vtkPatternViewContext* Find(vtkRenderer* renderer);
 
+  /// When a frame is drawn.
+  struct Moment
+  {
+    double DataTime = std::numeric_limits<double>::quiet_NaN(); // where the data have one
+    double AnimationTime = 0.0;
+  };
+  static Moment MomentOf(vtkPatternMapper* mapper);
+
   struct Track
   {
     vtkWeakPointer<vtkPatternMapper> Mapper;
@@ -70,8 +78,10 @@ public:
     vtkPatternSamples::Surface Before;  // samples that the tracker knows and that were replaced
     std::vector<double> VelocityBefore; // theirs, and their features
     std::vector<double> FeaturesBefore;
-    double DataTime = std::numeric_limits<double>::quiet_NaN(); // of the last advance
-    double AnimationTime = 0.0;
+    Moment Advanced;                           // the last time
+    bool DataMoves = false;                    // their time has changed since the patterns began
+    Moment First, Last;                        // that were drawn since
+    unsigned long AnchorVersion = 0;           // of the mapper, then
     std::vector<hachure::PatternFrame> Frames; // to draw
     /// Of every patch, for the layers whose transitions take a time: as of the last advance, and to
     /// draw.
@@ -92,6 +102,9 @@ public:
   /// The track of an object; `lowDetail` for a stand-in that only looks on.
   Track* Advance(
     vtkPatternMapper* mapper, vtkActor* actor, const vtkPatternViewport& viewport, bool lowDetail);
+  /// Before an object is drawn as a whole: where its mapper asks for it, or time has come back to
+  /// when its patterns began, it is drawn as if it were the first time.
+  void BeginFrame(vtkPatternMapper* mapper, vtkActor* actor);
   /// The track of an object where there is one.
   Track* FindTrack(vtkPatternMapper* mapper, vtkActor* actor);
   /// Number of the frame that is drawn: no other frame of any renderer has it.
@@ -107,6 +120,8 @@ private:
   void Attach(vtkRenderer* renderer);
   void StartFrame();
   void EndFrame();
+  static bool IsBack(const Track& track, const Moment& now);
+  void Forget(Track& track);
   void ShareVisibility(vtkOpenGLRenderWindow* window);
   void Predict(Track& track, const vtkPatternViewport& viewport, bool lowDetail);
   bool UpdateSamples(Track& track);

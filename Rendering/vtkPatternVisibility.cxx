@@ -7,9 +7,7 @@
 #include "PatternVisibilityOwnFS.h"
 #include "PatternVisibilitySceneFS.h"
 #include "PatternVisibilityVS.h"
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkPatternSamples.h"
 #include "vtkShaderProgram.h"
@@ -90,14 +88,7 @@ bool vtkPatternVisibility::Prepare(vtkOpenGLRenderWindow* window, const vtkPatte
     this->PositionVersion = samples.GetPositionVersion();
     this->Source = &samples;
   }
-  if (!this->OwnQuad)
-  {
-    this->OwnQuad = std::make_unique<vtkOpenGLQuadHelper>(
-      window, PatternVisibilityVS, PatternVisibilityOwnFS, "");
-    this->SceneQuad =
-      std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, PatternVisibilitySceneFS, "");
-  }
-  return this->OwnQuad->Program && this->SceneQuad->Program;
+  return true;
 }
 
 bool vtkPatternVisibility::MeasureOwn(vtkOpenGLRenderWindow* window,
@@ -105,11 +96,11 @@ bool vtkPatternVisibility::MeasureOwn(vtkOpenGLRenderWindow* window,
   const std::array<int, 4>& viewport, vtkTextureObject* depth)
 {
   window->GetState()->PushFramebufferBindings();
-  const bool prepared = this->Prepare(window, samples);
-  if (prepared)
+  vtkShaderProgram* program = this->Prepare(window, samples)
+    ? this->OwnQuad.Ready(window, PatternVisibilityVS, PatternVisibilityOwnFS)
+    : nullptr;
+  if (program)
   {
-    vtkShaderProgram* program = this->OwnQuad->Program;
-    window->GetShaderCache()->ReadyShaderProgram(program);
     const glm::dvec3 corner(viewport[0], viewport[1], 0.0);
     const glm::dvec3 size(viewport[2], viewport[3], 1.0);
     const glm::dmat4 clipToFragment = glm::translate(
@@ -120,11 +111,11 @@ bool vtkPatternVisibility::MeasureOwn(vtkOpenGLRenderWindow* window,
     const glm::vec4 pixels(glm::dvec2(corner), glm::dvec2(corner + size));
     program->SetUniform4f("viewportPixels", &pixels.x);
     this->Draw(window,
-      { this->OwnQuad.get(), this->OwnFramebuffer, depth, this->Positions, "samplePositions" });
+      { this->OwnQuad, program, this->OwnFramebuffer, depth, this->Positions, "samplePositions" });
   }
   window->GetState()->PopFramebufferBindings();
-  this->OwnMeasured = prepared;
-  return prepared;
+  this->OwnMeasured = program != nullptr;
+  return this->OwnMeasured;
 }
 
 void vtkPatternVisibility::MeasureScene(vtkOpenGLRenderWindow* window, vtkTextureObject* depth)
@@ -134,12 +125,15 @@ void vtkPatternVisibility::MeasureScene(vtkOpenGLRenderWindow* window, vtkTextur
     return;
   }
   window->GetState()->PushFramebufferBindings();
-  window->GetShaderCache()->ReadyShaderProgram(this->SceneQuad->Program);
-  this->Draw(
-    window, { this->SceneQuad.get(), this->SceneFramebuffer, depth, this->Own, "ownVisibility" });
+  vtkShaderProgram* program = this->SceneQuad.Ready(window, {}, PatternVisibilitySceneFS);
+  if (program)
+  {
+    this->Draw(window,
+      { this->SceneQuad, program, this->SceneFramebuffer, depth, this->Own, "ownVisibility" });
+  }
   window->GetState()->PopFramebufferBindings();
   this->OwnMeasured = false;
-  this->SceneMeasured = true;
+  this->SceneMeasured = program != nullptr;
 }
 
 void vtkPatternVisibility::Draw(vtkOpenGLRenderWindow* window, const Stage& stage)
@@ -156,12 +150,11 @@ void vtkPatternVisibility::Draw(vtkOpenGLRenderWindow* window, const Stage& stag
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
 
-  vtkShaderProgram* program = stage.Quad->Program;
   stage.PerSample->Activate();
   stage.Depth->Activate();
-  program->SetUniformi(stage.PerSampleName, stage.PerSample->GetTextureUnit());
-  program->SetUniformi("depthImage", stage.Depth->GetTextureUnit());
-  stage.Quad->Render();
+  stage.Program->SetUniformi(stage.PerSampleName, stage.PerSample->GetTextureUnit());
+  stage.Program->SetUniformi("depthImage", stage.Depth->GetTextureUnit());
+  stage.Quad.Render();
   stage.Depth->Deactivate();
   stage.PerSample->Deactivate();
 }
@@ -225,14 +218,8 @@ void vtkPatternVisibility::Forget()
 
 void vtkPatternVisibility::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (auto* quad : { &this->OwnQuad, &this->SceneQuad })
-  {
-    if (*quad)
-    {
-      (*quad)->ReleaseGraphicsResources(window);
-      quad->reset();
-    }
-  }
+  this->OwnQuad.ReleaseGraphicsResources(window);
+  this->SceneQuad.ReleaseGraphicsResources(window);
   this->Positions->ReleaseGraphicsResources(window);
   this->Own->ReleaseGraphicsResources(window);
   this->Scene->ReleaseGraphicsResources(window);

@@ -9,18 +9,18 @@
 
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
+#include "vtkPatternQuad.h"
 #include "vtkTextureObject.h"
 
 #include <glm/mat4x4.hpp>
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
-class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkPatternSamples;
+class vtkShaderProgram;
 class vtkWindow;
 
 class vtkPatternVisibility
@@ -56,7 +56,8 @@ private:
   bool Prepare(vtkOpenGLRenderWindow* window, const vtkPatternSamples& samples);
   struct Stage
   {
-    vtkOpenGLQuadHelper* Quad;
+    vtkPatternQuad& Quad;
+    vtkShaderProgram* Program; // of it
     vtkOpenGLFramebufferObject* Target;
     vtkTextureObject* Depth;
     vtkTextureObject* PerSample; // one texel a sample
@@ -65,8 +66,8 @@ private:
   void Draw(vtkOpenGLRenderWindow* window, const Stage& stage);
   std::vector<std::uint8_t> ReadTexels(vtkOpenGLRenderWindow* window);
 
-  std::unique_ptr<vtkOpenGLQuadHelper> OwnQuad;
-  std::unique_ptr<vtkOpenGLQuadHelper> SceneQuad;
+  vtkPatternQuad OwnQuad;
+  vtkPatternQuad SceneQuad;
   vtkNew<vtkTextureObject> Positions;
   vtkNew<vtkTextureObject> Own;
   vtkNew<vtkTextureObject> Scene;

@@ -21,7 +21,7 @@ fi
 
 packages=(
   g++ cmake ninja-build libvtk9-dev paraview-dev libglm-dev libcairo2-dev libgtest-dev
-  xvfb xauth libgl1-mesa-dri openmpi-bin chromium
+  xvfb xauth libgl1-mesa-dri openmpi-bin libqt5svg5 chromium
   clang-format clang-tidy libomp-dev codespell glslang-tools git librsvg2-bin poppler-utils
 )
 

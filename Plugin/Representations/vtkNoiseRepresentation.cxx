@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNoiseRepresentation.h"
 
+#include "RepresentationFile.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -20,6 +21,7 @@ std::string Text(const char* text)
 
 //------------------------------------------------------------------------------
 vtkNoiseRepresentation::vtkNoiseRepresentation()
+  : SpotFile(std::make_unique<RepresentationFile>())
 {
   this->SetPatternStyle("phasor");
 }
@@ -158,9 +160,13 @@ void vtkNoiseRepresentation::AdjustKernels(vtkNoiseLayer* layer)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> vtkNoiseRepresentation::ReadSpot()
 {
-  vtkNew<vtkNoiseLayer> reader;
-  const bool wanted = !this->NoiseSpotImage.empty();
-  return wanted && reader->ReadImage(this->NoiseSpotImage) ? reader->GetImage() : nullptr;
+  if (this->SpotFile->IsNew(this->NoiseSpotImage))
+  {
+    vtkNew<vtkNoiseLayer> reader;
+    const bool read = !this->NoiseSpotImage.empty() && reader->ReadImage(this->NoiseSpotImage);
+    this->Spot = read ? reader->GetImage() : nullptr;
+  }
+  return this->Spot;
 }
 
 //------------------------------------------------------------------------------

@@ -189,6 +189,8 @@ private:
 
   int NoiseKind = AS_IN_STYLE;
   std::string NoiseSpotImage;
+  vtkSmartPointer<vtkImageData> Spot;
+  std::unique_ptr<RepresentationFile> SpotFile;
   double NoiseSpread = 0.0;
   double NoiseRegularity = 1.0;
   double NoiseSmoothness = 0.0;

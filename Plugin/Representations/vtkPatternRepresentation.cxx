@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatternRepresentation.h"
 
+#include "PatternLegendPlace.h"
+#include "RepresentationFile.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPatternLegendActor.h"
+#include "vtkPatternMapper.h"
 #include "vtkPatternPartMapper.h"
 #include "vtkRepresentationPatches.h"
 #include "vtkSurfacePatches.h"
@@ -39,13 +44,17 @@ int MethodOf(int patches)
 
 //------------------------------------------------------------------------------
 vtkPatternRepresentation::vtkPatternRepresentation()
-  : PatternStyle(vtkPatternStyle::GetDefaultPresetName())
+  : Loaded(vtkSmartPointer<vtkPatternStyle>::New())
+  , LoadedFile(std::make_unique<RepresentationFile>())
+  , PictureFile(std::make_unique<RepresentationFile>())
+  , PatternStyle(vtkPatternStyle::GetDefaultPresetName())
 {
   this->Mapper->Delete();
   this->LODMapper->Delete();
   auto* mapper = vtkPatternPartMapper::New();
   auto* mapperLOD = vtkPatternMapper::New();
   mapperLOD->SetTrackedMapper(mapper);
+  mapperLOD->SetStyle(mapper->GetStyle());
   // The view gives the mapper another producer for every piece of data.
   mapper->SetInputOrigin(this->GeometryFilter);
   // The base class set these on the mapper that was replaced; selections need them.
@@ -61,6 +70,7 @@ vtkPatternRepresentation::vtkPatternRepresentation()
   this->MultiBlockMaker->SetInputConnection(this->Whole->GetOutputPort());
   this->UpdatePatches();
   this->UpdateStyle();
+  this->Legend = this->MakeLegend();
 }
 
 //------------------------------------------------------------------------------
@@ -88,6 +98,38 @@ void vtkPatternRepresentation::SetPatternStyleFile(const char* fileName)
 const char* vtkPatternRepresentation::GetPatternStyleFile()
 {
   return this->PatternStyleFile.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetPatternStyleSaveName(const char* fileName)
+{
+  this->PatternStyleSaveName = Text(fileName);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPatternRepresentation::GetPatternStyleSaveName()
+{
+  return this->PatternStyleSaveName.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SavePatternStyle()
+{
+  this->UpdateStyle();
+  const std::string unsaved = this->GetUnsaved();
+  if (this->PatternStyleSaveName.empty())
+  {
+    vtkErrorMacro("There is no name of a file that the style could be saved to.");
+  }
+  else if (!unsaved.empty())
+  {
+    vtkErrorMacro(
+      "The style was not saved to \"" << this->PatternStyleSaveName << "\". " << unsaved);
+  }
+  else if (RepresentationFile::IsWriter())
+  {
+    this->GetStyle()->SaveFile(this->PatternStyleSaveName);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -170,6 +212,20 @@ int vtkPatternRepresentation::GetPatternBackEnd()
 }
 
 //------------------------------------------------------------------------------
+void vtkPatternRepresentation::Reanchor()
+{
+  static_cast<vtkPatternMapper*>(this->Mapper)->Reanchor();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternRepresentation::SetUpdateTime(double time)
+{
+  this->Superclass::SetUpdateTime(time);
+  static_cast<vtkPatternMapper*>(this->Mapper)->SetAnimationTime(time);
+  static_cast<vtkPatternMapper*>(this->LODMapper)->SetAnimationTime(time);
+}
+
+//------------------------------------------------------------------------------
 void vtkPatternRepresentation::UpdatePatches()
 {
   this->Patches->SetMethod(MethodOf(this->PatternPatches));
@@ -193,6 +249,7 @@ void vtkPatternRepresentation::UpdateColoringParameters()
 {
   this->Superclass::UpdateColoringParameters();
   this->UpdateStyle();
+  this->Legend->Update();
 }
 
 //------------------------------------------------------------------------------
@@ -202,14 +259,12 @@ void vtkPatternRepresentation::UpdateStyle()
   {
     return;
   }
-  this->StyleChanged = false; // also when it cannot be loaded: one error, not one per picture
+  this->StyleChanged = false;
+  this->LoadStyle();
   vtkNew<vtkPatternStyle> style;
-  if (this->LoadStyle(style))
-  {
-    this->AdjustStyle(style);
-    static_cast<vtkPatternMapper*>(this->Mapper)->SetStyle(style);
-    static_cast<vtkPatternMapper*>(this->LODMapper)->SetStyle(style);
-  }
+  style->CopyFrom(this->Loaded);
+  this->AdjustStyle(style);
+  this->GetStyle()->CopyFrom(style);
 }
 
 //------------------------------------------------------------------------------
@@ -219,10 +274,18 @@ vtkPatternStyle* vtkPatternRepresentation::GetStyle()
 }
 
 //------------------------------------------------------------------------------
-bool vtkPatternRepresentation::LoadStyle(vtkPatternStyle* style)
+void vtkPatternRepresentation::LoadStyle()
 {
-  return this->PatternStyleFile.empty() ? style->LoadPreset(this->PatternStyle)
-                                        : style->LoadFile(this->PatternStyleFile);
+  const std::string name = this->PatternStyleFile.empty() ? this->PatternStyle : std::string();
+  const bool newFile = this->LoadedFile->IsNew(this->PatternStyleFile);
+  if (newFile || name != this->LoadedName)
+  {
+    this->LoadedName = name; // also when it cannot be loaded: one error, not one per change
+    vtkNew<vtkPatternStyle> style;
+    const bool loaded =
+      name.empty() ? style->LoadFile(this->PatternStyleFile) : style->LoadPreset(name);
+    this->Loaded = loaded ? style.Get() : this->Loaded.Get();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -231,6 +294,7 @@ void vtkPatternRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PatternStyle: " << this->PatternStyle << "\n";
   os << indent << "PatternStyleFile: " << this->PatternStyleFile << "\n";
+  os << indent << "PatternStyleSaveName: " << this->PatternStyleSaveName << "\n";
   os << indent << "PatternScale: " << this->PatternScale << "\n";
   os << indent << "PatternAngle: " << this->PatternAngle << "\n";
   os << indent << "PatternInk: " << this->PatternInk << "\n";
@@ -311,4 +375,6 @@ void vtkPatternRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PatternSamplesPerPatch: " << this->PatternSamplesPerPatch << "\n";
   os << indent << "PatternVelocityArray: " << this->PatternVelocityArray << "\n";
   os << indent << "PatternBackEnd: " << this->GetPatternBackEnd() << "\n";
+  os << indent << "PatternLegend: " << this->GetPatternLegend() << "\n";
+  this->GetLegend()->PrintSelf(os, indent.GetNextIndent());
 }

@@ -36,10 +36,15 @@
 #include "vtkSmartPointer.h"      // For the patches
 
 #include <algorithm> // For the ranges of the setters
+#include <memory>    // For the files and the legend
 #include <string>
 
+class PatternLegendPlace;
+class RepresentationFile;
+class vtkImageData;
 class vtkMultiBlockDataSet;
 class vtkNoiseLayer;
+class vtkPatternLegendActor;
 class vtkRepresentationPatches;
 class vtkWholeSurface;
 
@@ -86,6 +91,19 @@ public:
   void SetPatternStyleFile(const char* fileName);
   const char* GetPatternStyleFile();
   ///@}
+
+  ///@{
+  /** The style file that SavePatternStyle() writes. Default empty: none. */
+  void SetPatternStyleSaveName(const char* fileName);
+  const char* GetPatternStyleSaveName();
+  ///@}
+
+  /** Writes the style that is drawn, with all that the properties replace in it, so that a new
+   * representation with this PatternStyleFile draws the same; patches, velocities and back ends are
+   * none of a style's. Of several processes the first one of the server writes. An error without a
+   * file name, where it cannot be written, and where a layer has a picture or views that are in no
+   * file. */
+  void SavePatternStyle();
 
   ///@{
   /** Factor on the size of the patterns. Range 0.01 to 100, default 1. */
@@ -627,6 +645,12 @@ public:
   vtkGetMacro(PatternTracking, int);
   ///@}
 
+  /** The next picture is drawn as if it were the first one, see vtkPatternMapper::Reanchor(). */
+  void Reanchor();
+
+  /** Tells the mappers, too: time of what fades, and of whether patterns begin anew. */
+  void SetUpdateTime(double time) override;
+
   ///@{
   /** Whether patterns keep their direction, or their size, in the image, while they still follow
    * the surface's place: AS_IN_STYLE, 0 (no) or 1 (yes). Default AS_IN_STYLE. */
@@ -741,6 +765,67 @@ public:
   int GetPatternBackEnd();
   ///@}
 
+  ///@{
+  /** Whether the view has a legend of the patterns, see vtkPatternLegendActor; default 0. */
+  void SetPatternLegend(int shown);
+  int GetPatternLegend();
+  ///@}
+
+  ///@{
+  /** Lower left corner and size of the legend, as parts of the view; the mouse changes them, too.
+   * Defaults (0.82, 0.2) and (0.16, 0.6). */
+  void SetPatternLegendPosition(double x, double y);
+  double* GetPatternLegendPosition() VTK_SIZEHINT(2);
+  void SetPatternLegendSize(double width, double height);
+  double* GetPatternLegendSize() VTK_SIZEHINT(2);
+  ///@}
+
+  ///@{
+  /** Title of the legend; empty, the default: the name of the array of the tone. */
+  void SetPatternLegendTitle(const char* title);
+  const char* GetPatternLegendTitle();
+  ///@}
+
+  ///@{
+  /** vtkPatternLegendActor's HORIZONTAL (0) or VERTICAL (1, the default); its modes, AUTOMATIC (0,
+   * the default) to CATEGORIES (3); number of even swatches, 0 to 64, 0 (default): those of the
+   * tone. */
+  void SetPatternLegendOrientation(int orientation);
+  int GetPatternLegendOrientation();
+  void SetPatternLegendMode(int mode);
+  int GetPatternLegendMode();
+  void SetPatternLegendSteps(int steps);
+  int GetPatternLegendSteps();
+  ///@}
+
+  ///@{
+  /** How many numbers there are at most beside a continuous swatch, 0 to 64, default 5; and their
+   * format, as printf takes it for one double, default "%.4g". */
+  void SetPatternLegendLabels(int labels);
+  int GetPatternLegendLabels();
+  void SetPatternLegendLabelFormat(const char* format);
+  const char* GetPatternLegendLabelFormat();
+  ///@}
+
+  ///@{
+  /** Whether there is a swatch for data that is not a number; default 0. */
+  void SetPatternLegendNan(int shown);
+  int GetPatternLegendNan();
+  ///@}
+
+  ///@{
+  /** Size of swatches across their row, pixels, 4 to 1000, default 36; sizes of the fonts, points,
+   * 4 to 200, default 14 and 12. */
+  void SetPatternLegendThickness(int pixels);
+  int GetPatternLegendThickness();
+  void SetPatternLegendTitleFontSize(int points);
+  int GetPatternLegendTitleFontSize();
+  void SetPatternLegendLabelFontSize(int points);
+  int GetPatternLegendLabelFontSize();
+  ///@}
+
+  void SetVisibility(bool visible) override;
+
 protected:
   vtkPatternRepresentation();
   ~vtkPatternRepresentation() override;
@@ -748,6 +833,8 @@ protected:
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
   void UpdateColoringParameters() override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
 
   /** Replaces in a style what the properties ask for. */
   virtual void AdjustStyle(vtkPatternStyle* style);
@@ -756,8 +843,12 @@ protected:
    * picture. */
   void UpdateStyle();
 
-  /** The style that the last UpdateStyle() has made. */
+  /** The style that is drawn, as the last UpdateStyle() has left it; always the same object. */
   vtkPatternStyle* GetStyle();
+
+  /** What must be saved before the style that is drawn can be, in a sentence; empty where all is in
+   * files. */
+  virtual std::string GetUnsaved() { return {}; }
 
   // Calls the function with every layer of a type.
   template <class Layer, class Function>
@@ -817,7 +908,7 @@ private:
   void SendWhole(vtkInformation* inInfo);
   vtkDataObject* FindWhole(vtkInformation* inInfo);
   void UpdateController();
-  bool LoadStyle(vtkPatternStyle* style);
+  void LoadStyle();
   void AdjustOutline(vtkPatternStyle* style);
   void AdjustMotion(vtkPatternStyle* style);
   void AdjustInk(vtkPatternLayer* layer);
@@ -830,10 +921,18 @@ private:
   void AdjustMarksMotion(vtkImagePatternLayer* layer);
   void AdjustNoise(vtkNoiseLayer* layer);
   vtkSmartPointer<vtkImageData> ReadPicture();
+  std::unique_ptr<PatternLegendPlace> MakeLegend();
+  vtkPatternLegendActor* GetLegend();
 
   bool StyleChanged = true;
+  vtkSmartPointer<vtkPatternStyle> Loaded; // as it is without the properties
+  std::string LoadedName;
+  std::unique_ptr<RepresentationFile> LoadedFile;
+  vtkSmartPointer<vtkImageData> Picture;
+  std::unique_ptr<RepresentationFile> PictureFile;
   std::string PatternStyle;
   std::string PatternStyleFile;
+  std::string PatternStyleSaveName;
   double PatternScale = 1.0;
   double PatternAngle = 0.0;
   int PatternInk = AS_IN_STYLE;
@@ -916,6 +1015,9 @@ private:
   std::string PatternFeatureArrayName;
   int PatternSamplesPerPatch = 0;
   std::string PatternVelocityArray = "None";
+
+  std::unique_ptr<PatternLegendPlace> Legend;
+  std::string LegendText; // that a getter hands out
 };
 
 #endif

@@ -3,6 +3,7 @@
 // What the properties of the representation replace in a style.
 #include "vtkPatternRepresentation.h"
 
+#include "RepresentationFile.h"
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -260,8 +261,13 @@ void vtkPatternRepresentation::AdjustNoise(vtkNoiseLayer* layer)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> vtkPatternRepresentation::ReadPicture()
 {
-  vtkNew<vtkImagePatternLayer> reader;
-  const bool wanted =
-    this->PatternKind == vtkImagePatternLayer::IMAGE && !this->PatternImageFile.empty();
-  return wanted && reader->ReadImage(this->PatternImageFile) ? reader->GetImage() : nullptr;
+  const bool wanted = this->PatternKind == vtkImagePatternLayer::IMAGE;
+  const std::string fileName = wanted ? this->PatternImageFile : std::string();
+  if (this->PictureFile->IsNew(fileName))
+  {
+    vtkNew<vtkImagePatternLayer> reader;
+    const bool read = !fileName.empty() && reader->ReadImage(fileName);
+    this->Picture = read ? reader->GetImage() : nullptr;
+  }
+  return this->Picture;
 }

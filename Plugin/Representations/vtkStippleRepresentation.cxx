@@ -43,6 +43,14 @@ void vtkStippleRepresentation::AdjustDots(vtkStippleLayer* layer)
   {
     layer->SetGrowth(this->StippleGrowth);
   }
+  if (this->StippleGrowthFrames >= 0)
+  {
+    layer->SetGrowthFrames(this->StippleGrowthFrames);
+  }
+  if (this->StippleLife >= 0)
+  {
+    layer->SetLife(this->StippleLife);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -73,6 +81,8 @@ void vtkStippleRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StippleSize: " << this->StippleSize << "\n";
   os << indent << "StippleCarrier: " << this->StippleCarrier << "\n";
   os << indent << "StippleGrowth: " << this->StippleGrowth << "\n";
+  os << indent << "StippleGrowthFrames: " << this->StippleGrowthFrames << "\n";
+  os << indent << "StippleLife: " << this->StippleLife << "\n";
   os << indent << "StippleOrder: " << this->StippleOrder << "\n";
   os << indent << "StippleNumberOfPoints: " << this->StippleNumberOfPoints << "\n";
   os << indent << "StippleRefinement: " << this->StippleRefinement << "\n";

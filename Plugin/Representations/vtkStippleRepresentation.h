@@ -55,6 +55,22 @@ public:
   ///@}
 
   ///@{
+  /** Pictures in which a stipple of the order CLASSIC grows, see
+   * vtkStippleLayer::SetGrowthFrames(), and changes of a surface's cells over which stipples come
+   * and go, see vtkStippleLayer::SetLife(): -1 (default) as in the style, else up to 1000. */
+  void SetStippleGrowthFrames(int frames)
+  {
+    this->Change(this->StippleGrowthFrames, std::clamp(frames, -1, 1000));
+  }
+  vtkGetMacro(StippleGrowthFrames, int);
+  void SetStippleLife(int changes)
+  {
+    this->Change(this->StippleLife, std::clamp(changes, -1, 1000));
+  }
+  vtkGetMacro(StippleLife, int);
+  ///@}
+
+  ///@{
   /** Order of the stipples: AS_IN_STYLE, or vtkStippleLayer's PROGRESSIVE (0) or CLASSIC (1).
    * Default AS_IN_STYLE. */
   void SetStippleOrder(int choice)
@@ -106,6 +122,8 @@ private:
   double StippleSize = 0.0;
   int StippleCarrier = AS_IN_STYLE;
   double StippleGrowth = 0.0;
+  int StippleGrowthFrames = -1;
+  int StippleLife = -1;
   int StippleOrder = AS_IN_STYLE;
   int StippleNumberOfPoints = 0;
   int StippleRefinement = AS_IN_STYLE;

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkViewTextureRepresentation.h"
 
+#include "RepresentationFile.h"
 #include "ViewTextureEditor.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
-#include "vtkPVSession.h"
-#include "vtkProcessModule.h"
 #include "vtkStringArray.h"
 #include "vtkTextureViewsManifest.h"
 
@@ -20,15 +19,6 @@ namespace
 std::string Text(const char* text)
 {
   return text ? text : "";
-}
-
-// Whether this process is the first one of those with the files.
-bool IsWriter()
-{
-  auto* const processes = vtkProcessModule::GetProcessModule();
-  auto* const session = vtkPVSession::SafeDownCast(processes->GetActiveSession());
-  return (!session || session->HasProcessRole(vtkPVSession::DATA_SERVER)) &&
-    processes->GetPartitionId() == 0;
 }
 } // namespace
 
@@ -141,7 +131,15 @@ void vtkViewTextureRepresentation::ReadViews(const std::string& fileName)
   {
     this->Views = views;
     this->ViewsFile = fileName;
+    this->SavedViews = views->GetMTime();
   }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkViewTextureRepresentation::GetUnsaved()
+{
+  const bool saved = !this->Views || this->Views->GetMTime() == this->SavedViews;
+  return saved ? std::string() : "The views have changed: save the manifest first.";
 }
 
 //------------------------------------------------------------------------------
@@ -162,6 +160,7 @@ bool vtkViewTextureRepresentation::TakeViews()
   {
     this->ViewsFile = first->GetManifestFileName();
     this->Views = first->GetViews();
+    this->SavedViews = this->Views->GetMTime();
     ForEachLayer<vtkViewTextureLayer>(
       this->GetStyle(), [this](vtkViewTextureLayer* layer) { this->AdjustLayer(layer); });
   }
@@ -217,12 +216,13 @@ void vtkViewTextureRepresentation::SaveViewTextureManifest()
   {
     vtkErrorMacro("There is no name of a manifest that the views could be saved to.");
   }
-  else if (IsWriter())
+  else
   {
     vtkNew<vtkTextureViewsManifest> manifest;
-    if (manifest->Write(fileName.c_str(), this->Views))
+    if (!RepresentationFile::IsWriter() || manifest->Write(fileName.c_str(), this->Views))
     {
-      this->ViewsFile = fileName;
+      this->Change(this->ViewsFile, fileName);
+      this->SavedViews = this->Views->GetMTime();
     }
   }
 }

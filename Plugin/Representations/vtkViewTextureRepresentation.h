@@ -156,6 +156,7 @@ protected:
   ~vtkViewTextureRepresentation() override;
 
   void AdjustStyle(vtkPatternStyle* style) override;
+  std::string GetUnsaved() override;
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
@@ -186,6 +187,7 @@ private:
   std::unique_ptr<ViewTextureEditor> Editor;
   vtkSmartPointer<vtkTextureViews> Views; // null: those of the style
   std::string ViewsFile;                  // the manifest that they were read from or written to
+  vtkMTimeType SavedViews = 0;            // their time then
   bool ManifestChanged = false;
   vtkSmartPointer<vtkStringArray> Names;
 };

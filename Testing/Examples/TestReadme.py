@@ -18,7 +18,7 @@ from rendering_program import PROGRAM, draw, fresh_folder, picture
 LARGEST_PICTURE = 110e3
 
 fresh_folder()
-pages = [readme.ROOT / "README.md", readme.ROOT / "Rendering/Layers/README.md"]
+pages = [readme.ROOT / name for name in ("README.md", "Plugin/README.md", "Rendering/Layers/README.md")]
 for page in pages:
     for target in readme.links(page):
         assert (page.parent / target).exists(), "%s refers to %s" % (page, target)
@@ -30,14 +30,16 @@ for page in pages:
                            page.read_text(encoding="utf-8")):
         assert "Grain" in path or (readme.ROOT / path).exists(), "%s names %s" % (page, path)
 
-# Every picture is shown, drawn by the gallery's command, and small.
-shown = {target for target in readme.links(pages[0]) if target.endswith(".png")}
+# Every picture is shown, drawn by the command for it, and small.
+shown = {os.path.normpath(page.parent / target) for page in pages for target in readme.links(page)}
 gallery = sorted((readme.ROOT / "Examples/Gallery").glob("*.png"))
-assert shown == {str(path.relative_to(readme.ROOT)) for path in gallery}, shown
-command = (readme.ROOT / "Examples/gallery.sh").read_text(encoding="utf-8")
+gallery += sorted((readme.ROOT / "Examples/ParaView").glob("*.png"))
+assert {name for name in shown if name.endswith(".png")} == {str(path) for path in gallery}, shown
+programs = ("Examples/gallery.sh", "Examples/ParaView/window_pictures.py")
+command = "".join((readme.ROOT / name).read_text(encoding="utf-8") for name in programs)
 for path in gallery:
     stem = re.split(r"-[\d]+$", path.stem)[0]
-    assert stem in command or stem.startswith("skull-"), "%s is not in gallery.sh" % path
+    assert stem in command or stem.startswith("skull-"), "no command draws %s" % path
     assert path.stat().st_size < LARGEST_PICTURE, path
     assert 0.01 < (picture(str(path)) < 0.9).mean() < 0.95, "%s is empty" % path
 
@@ -48,9 +50,10 @@ assert set(re.findall(r"--[\w-]+", table)) == help_options, help_options
 for style in draw("--list-styles").stdout.split():
     assert "`%s`" % style in table, style
 
-# The properties of the README are those that ParaView shows.
+# The properties of the plugin's page are those that ParaView shows.
 xml = (readme.ROOT / "Plugin/Representations/PatternRepresentation.xml").read_text(encoding="utf-8")
-rows = "\n".join(line for line in readme.TEXT.splitlines() if line.startswith("| `Pattern"))
+plugin_page = pages[1].read_text(encoding="utf-8")
+rows = "\n".join(line for line in plugin_page.splitlines() if line.startswith("| `Pattern"))
 assert set(re.findall(r"`(\w+)`", rows)) == set(re.findall(r'VectorProperty name="(\w+)"', xml)), rows
 
 # Its commands draw.

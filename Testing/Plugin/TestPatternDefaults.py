@@ -5,7 +5,8 @@
 import os
 
 import pattern_scene as scene
-from paraview import servermanager, simple
+from paraview import simple
+from property_definitions import definitions, written
 
 PROXIES = (
     "GeometryRepresentation",
@@ -14,20 +15,6 @@ PROXIES = (
     "UnstructuredGridRepresentation",
 )
 LABELS = {"ViewTexture": "View-dependent Texture"}  # of those that are not named as their class
-definitions = servermanager.vtkSMProxyManager.GetProxyManager().GetActiveSessionProxyManager()
-
-
-def written(representation):
-    """Properties in the XML that the plugin brings and that are set: dictionaries of their attributes, and a tag."""
-    manager = definitions.GetProxyDefinitionManager()
-    proxy = manager.GetProxyDefinition("representations", representation + "Representation")
-    elements = [proxy.GetNestedElement(i) for i in range(proxy.GetNumberOfNestedElements())]
-    names = "name", "command", "number_of_elements", "default_values", "panel_visibility"
-    return [
-        dict({name: element.GetAttribute(name) for name in names}, tag=element.GetName())
-        for element in elements
-        if element.GetName().endswith("VectorProperty") and not element.GetAttribute("information_only")
-    ]
 
 
 def asking_proxy(representation, properties):
@@ -106,8 +93,8 @@ for representation, properties in others.items():
         if item["command"] != "Set" + item["name"] and stem != "Style":
             assert item == dict(named["Pattern" + stem], name=item["name"]), item
 
-# The table of the README names every property.
-readme_file = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../README.md")
+# The table of the plugin's page names every property.
+readme_file = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Plugin/README.md")
 with open(readme_file, encoding="utf-8") as readme:
     rows = [line.split("|")[1] for line in readme if line.startswith("| `Pattern")]
 listed = [name.strip("` ") for row in rows for name in row.split(",")]

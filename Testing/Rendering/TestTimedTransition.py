@@ -14,7 +14,7 @@ FRAME = 0.1  # a quarter of a transition
 
 
 class Stage:
-    """A plane in parallel projection, unlit, drawn first at scale 1 and time 0."""
+    """A plane in parallel projection, unlit, drawn at scale 1 and time 0, then at first, if that is a scale."""
 
     def __init__(self, duration=4 * FRAME, lod=(1.3, 1.7), pattern=LAYER.HALFTONE, first=1.0):
         self.style = scene.constant_style(pattern, 14, 0.4, 0.0, 20.0)
@@ -29,8 +29,9 @@ class Stage:
         self.renderer = scene.renderer_of(self.actor)
         self.window = scene.window_of(self.renderer, size=(SIZE, SIZE))
         scene.look(self.renderer).ParallelProjectionOn()
-        self.draw(1.0, 0.0)
-        if first != 1.0:
+        if first is not None:
+            self.draw(1.0, 0.0)
+        if first not in (None, 1.0):
             self.draw(first, 0.0)
 
     def draw(self, scale, time):
@@ -93,7 +94,8 @@ def test_complete_at_once_without_a_time_that_goes_on():
     assert same(Stage().draw(1.75, 0.0), second)
     stage = Stage()
     inks(stage, 1.75, (1, 2))
-    assert same(stage.draw(1.75, 0.0), second), "time ran backwards"
+    assert same(stage.draw(1.75, 0.1), second), "time ran backwards"
+    assert (stage.draw(1.75, 0.0) == Stage(first=None).draw(1.75, 0.0)).all(), "at the first time all begins anew"
     stage = Stage()
     inks(stage, 1.75, (1, 2))
     assert same(stage.draw(1.75, 100.0), second), "time jumped"

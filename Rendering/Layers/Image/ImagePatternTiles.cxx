@@ -8,6 +8,7 @@
 #include "vtkImagePatternLayer.h"
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -126,9 +127,14 @@ PaintTile makeDabs(vtkImagePatternLayer* layer)
 // The user's image, dark = inked first.
 TileMips userTile(vtkImageData* image)
 {
-  const GreyImage grey = greyImage(image, "pattern IMAGE");
-  return std::make_shared<const std::vector<PatternTile>>(
-    mipChain(imageTile(grey.values, grey.width, grey.height)));
+  const TileKey key = { { -2.0, double(reinterpret_cast<std::uintptr_t>(image)),
+    image ? double(image->GetMTime()) : 0.0 } };
+  return sharedValue<std::vector<PatternTile>>(key,
+    [image]
+    {
+      const GreyImage grey = greyImage(image, "pattern IMAGE");
+      return mipChain(imageTile(grey.values, grey.width, grey.height));
+    });
 }
 } // namespace
 

@@ -74,7 +74,10 @@ void vtkImagePatternLayer::DescribeField(hachure::StyleArchive& archive)
   using Self = vtkImagePatternLayer;
   archive.choice("pattern", this, &Self::GetPattern, &Self::SetPattern,
     { "hatch", "crossHatch", "halftone", "image", "stipple", "paint", "paper" });
-  archive.imageFile("image", this->Image, this->ImageFileName);
+  if (archive.imageFile("image", this->Image, this->ImageFileName))
+  {
+    this->Modified();
+  }
   archive.length("size", this, &Self::GetSize, &Self::SetSize, &Self::GetSizeUnit,
     &Self::SetSizeUnit, { this->GetSizeMinValue(), this->GetSizeMaxValue() });
   archive.number("angle", this, &Self::GetAngle, &Self::SetAngle,

@@ -3,23 +3,15 @@
 #include "vtkNoiseGatherBackEnd.h"
 
 #include "NoiseGatherFS.h"
-#include "vtkOpenGLQuadHelper.h"
 
 bool vtkNoiseGatherBackEnd::Sum(vtkOpenGLRenderWindow* window, const Task& task)
 {
-  vtkOpenGLQuadHelper* quad =
-    this->Prepare(window, this->Quad, NoiseGatherFS, Stage::Gather, task.Field.kind);
-  if (!quad)
-  {
-    return false;
-  }
-  this->SetInputs(quad->Program, this->Inputs(task));
-  quad->Render();
-  return true;
+  return this->DrawQuad(window, this->Quad,
+    vtkNoiseKernelBuffers::Text(NoiseGatherFS, Stage::Gather, task.Field.kind), this->Inputs(task));
 }
 
 void vtkNoiseGatherBackEnd::ReleaseGraphicsResources(vtkWindow* window)
 {
-  Release(this->Quad, window);
+  this->Quad.ReleaseGraphicsResources(window);
   this->vtkNoiseGpuBackEnd::ReleaseGraphicsResources(window);
 }

@@ -18,7 +18,7 @@ protected:
   bool Sum(vtkOpenGLRenderWindow* window, const Task& task) override;
 
 private:
-  TextQuad Quad;
+  vtkPatternQuad Quad;
 };
 
 #endif

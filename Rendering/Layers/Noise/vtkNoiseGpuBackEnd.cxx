@@ -6,9 +6,7 @@
 
 #include "NoiseFinishFS.h"
 #include "NoiseShareFS.h"
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
@@ -179,31 +177,16 @@ void vtkNoiseGpuBackEnd::SetInputs(vtkShaderProgram* program, const Textures& te
   }
 }
 
-vtkOpenGLQuadHelper* vtkNoiseGpuBackEnd::Prepare(vtkOpenGLRenderWindow* window, TextQuad& quad,
-  const char* shader, Stage stage, hachure::NoiseKind kind)
+bool vtkNoiseGpuBackEnd::DrawQuad(vtkOpenGLRenderWindow* window, vtkPatternQuad& quad,
+  const std::string& shader, const Textures& textures) const
 {
-  const std::string text = vtkNoiseKernelBuffers::Text(shader, stage, kind);
-  if (!quad.Helper || quad.Text != text)
+  vtkShaderProgram* program = quad.Ready(window, {}, shader);
+  if (program)
   {
-    Release(quad, window);
-    quad.Helper = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, text.c_str(), "");
-    quad.Text = text;
+    this->SetInputs(program, textures);
+    quad.Render();
   }
-  if (!quad.Helper->Program || !quad.Helper->Program->GetCompiled())
-  {
-    return nullptr;
-  }
-  window->GetShaderCache()->ReadyShaderProgram(quad.Helper->Program);
-  return quad.Helper.get();
-}
-
-void vtkNoiseGpuBackEnd::Release(TextQuad& quad, vtkWindow* window)
-{
-  if (quad.Helper)
-  {
-    quad.Helper->ReleaseGraphicsResources(window);
-    quad.Helper.reset();
-  }
+  return program != nullptr;
 }
 
 bool vtkNoiseGpuBackEnd::MeasureShares(vtkOpenGLRenderWindow* window, const Task& task)
@@ -215,12 +198,6 @@ bool vtkNoiseGpuBackEnd::MeasureShares(vtkOpenGLRenderWindow* window, const Task
   {
     return false;
   }
-  vtkOpenGLQuadHelper* quad =
-    this->Prepare(window, this->ShareQuad, NoiseShareFS, Stage::Share, hachure::NoiseKind::phasor);
-  if (!quad)
-  {
-    return false;
-  }
   Textures inputs = this->Inputs(task);
   inputs.pop_back(); // the shares themselves
   if (!this->HasIds)
@@ -228,9 +205,8 @@ bool vtkNoiseGpuBackEnd::MeasureShares(vtkOpenGLRenderWindow* window, const Task
     inputs.back().second = task.DepthImage;
   }
   const ActiveTextures active(inputs);
-  this->SetInputs(quad->Program, inputs);
-  quad->Render();
-  return true;
+  return this->DrawQuad(window, this->ShareQuad,
+    vtkNoiseKernelBuffers::Text(NoiseShareFS, Stage::Share, hachure::NoiseKind::phasor), inputs);
 }
 
 bool vtkNoiseGpuBackEnd::MakeSums(vtkOpenGLRenderWindow* window, const Task& task)
@@ -253,20 +229,14 @@ bool vtkNoiseGpuBackEnd::Finish(
   {
     return false;
   }
-  vtkOpenGLQuadHelper* quad =
-    this->Prepare(window, this->FinishQuad, NoiseFinishFS, Stage::Finish, task.Field.kind);
-  if (!quad)
-  {
-    return false;
-  }
   Textures inputs = this->Inputs(task);
   inputs.emplace_back("hachureNoiseSums", this->Sums.Get());
   const ActiveTextures active(inputs);
-  this->SetInputs(quad->Program, inputs);
-  quad->Render();
+  const bool drawn = this->DrawQuad(window, this->FinishQuad,
+    vtkNoiseKernelBuffers::Text(NoiseFinishFS, Stage::Finish, task.Field.kind), inputs);
   // The field may be deleted before this is used again.
   this->FieldFramebuffer->RemoveColorAttachment(0);
-  return true;
+  return drawn;
 }
 
 std::vector<float> vtkNoiseGpuBackEnd::ReadSums(vtkOpenGLRenderWindow* window)
@@ -284,8 +254,8 @@ std::vector<float> vtkNoiseGpuBackEnd::ReadSums(vtkOpenGLRenderWindow* window)
 
 void vtkNoiseGpuBackEnd::ReleaseGraphicsResources(vtkWindow* window)
 {
-  Release(this->ShareQuad, window);
-  Release(this->FinishQuad, window);
+  this->ShareQuad.ReleaseGraphicsResources(window);
+  this->FinishQuad.ReleaseGraphicsResources(window);
   this->Buffers.ReleaseGraphicsResources(window);
   for (auto* texture : { this->Ids.Get(), this->Shares.Get(), this->Sums.Get() })
   {

@@ -11,10 +11,9 @@
 #include "vtkNoiseBackEnd.h"
 #include "vtkNoiseKernelBuffers.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkOpenGLQuadHelper.h"
+#include "vtkPatternQuad.h"
 #include "vtkTextureObject.h"
 
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,15 +51,9 @@ protected:
   vtkNew<vtkTextureObject> Sums;
   vtkNew<vtkOpenGLFramebufferObject> SumsFramebuffer;
 
-  /// The quad of a shader, made anew where its text is another one.
-  struct TextQuad
-  {
-    std::unique_ptr<vtkOpenGLQuadHelper> Helper;
-    std::string Text;
-  };
-  vtkOpenGLQuadHelper* Prepare(vtkOpenGLRenderWindow* window, TextQuad& quad, const char* shader,
-    Stage stage, hachure::NoiseKind kind);
-  static void Release(TextQuad& quad, vtkWindow* window);
+  /// Draws it with a shader that needs these textures. False where that does not compile.
+  bool DrawQuad(vtkOpenGLRenderWindow* window, vtkPatternQuad& quad, const std::string& shader,
+    const Textures& textures) const;
 
 private:
   bool Upload(vtkOpenGLRenderWindow* window, const Task& task);
@@ -72,8 +65,8 @@ private:
   vtkNew<vtkTextureObject> Shares;
   vtkNew<vtkOpenGLFramebufferObject> SharesFramebuffer;
   vtkNew<vtkOpenGLFramebufferObject> FieldFramebuffer;
-  TextQuad ShareQuad;
-  TextQuad FinishQuad;
+  vtkPatternQuad ShareQuad;
+  vtkPatternQuad FinishQuad;
   bool HasIds = false;
   std::array<int, 2> Size = { 0, 0 }; // of the last sums
 };

@@ -204,7 +204,10 @@ void vtkNoiseLayer::DescribeField(hachure::StyleArchive& archive)
 {
   using Self = vtkNoiseLayer;
   archive.choice("kind", this, &Self::GetKind, &Self::SetKind, { "gabor", "phasor", "spot" });
-  archive.imageFile("image", this->Image, this->ImageFileName);
+  if (archive.imageFile("image", this->Image, this->ImageFileName))
+  {
+    this->Modified();
+  }
   archive.length("size", this, &Self::GetSize, &Self::SetSize, &Self::GetSizeUnit,
     &Self::SetSizeUnit, { this->GetSizeMinValue(), this->GetSizeMaxValue() });
   archive.number("regularity", this, &Self::GetRegularity, &Self::SetRegularity,
@@ -223,7 +226,10 @@ void vtkNoiseLayer::DescribeField(hachure::StyleArchive& archive)
     "regularityFactors", this, &Self::GetRegularityFactors, &Self::SetRegularityFactors, factors);
   archive.number("smoothness", this, &Self::GetSmoothness, &Self::SetSmoothness,
     { this->GetSmoothnessMinValue(), this->GetSmoothnessMaxValue() });
-  archive.imageFile("thresholdImage", this->ThresholdImage, this->ThresholdImageFileName);
+  if (archive.imageFile("thresholdImage", this->ThresholdImage, this->ThresholdImageFileName))
+  {
+    this->Modified();
+  }
   archive.number("overlap", this, &Self::GetOverlap, &Self::SetOverlap,
     { this->GetOverlapMinValue(), this->GetOverlapMaxValue() });
   archive.number("fade", this, &Self::GetFade, &Self::SetFade,

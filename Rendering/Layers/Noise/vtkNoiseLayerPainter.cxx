@@ -89,19 +89,22 @@ bool vtkNoiseLayerPainter::Update(
 
 bool vtkNoiseLayerPainter::UpdateSpot(std::string& error)
 {
-  if (this->Layer->GetKind() != vtkNoiseLayer::SPOT || this->SpotTime == this->Layer->GetMTime())
+  vtkImageData* image = this->Layer->GetImage();
+  const vtkMTimeType time = image ? image->GetMTime() : 0;
+  const bool known = !this->Spot.values.empty() && this->SpotTime == time;
+  if (this->Layer->GetKind() != vtkNoiseLayer::SPOT || known)
   {
     return true;
   }
-  if (!this->Layer->GetImage())
+  if (!image)
   {
     this->Spot = Fibre();
-    this->SpotTime = this->Layer->GetMTime();
+    this->SpotTime = time;
     return true;
   }
   try
   {
-    hachure::GreyImage grey = hachure::greyImage(this->Layer->GetImage(), "noise SPOT");
+    hachure::GreyImage grey = hachure::greyImage(image, "noise SPOT");
     this->Spot = { grey.width, grey.height, std::move(grey.values) };
   }
   catch (const std::exception& problem)
@@ -109,14 +112,14 @@ bool vtkNoiseLayerPainter::UpdateSpot(std::string& error)
     error = problem.what();
     return false;
   }
-  this->SpotTime = this->Layer->GetMTime();
+  this->SpotTime = time;
   return true;
 }
 
 bool vtkNoiseLayerPainter::UpdateInkSums(std::string& error)
 {
   vtkImageData* image = this->Layer->GetThresholdImage();
-  if (!image || (this->InkSumsTime == this->Layer->GetMTime() && this->InkSums->GetHandle()))
+  if (!image || (this->InkSumsTime == image->GetMTime() && this->InkSums->GetHandle()))
   {
     return true;
   }
@@ -137,7 +140,7 @@ bool vtkNoiseLayerPainter::UpdateInkSums(std::string& error)
     error = std::string("threshold ") + problem.what();
     return false;
   }
-  this->InkSumsTime = this->Layer->GetMTime();
+  this->InkSumsTime = image->GetMTime();
   return true;
 }
 

@@ -77,7 +77,14 @@ vtkMTimeType vtkViewTextureLayer::GetMTime()
 void vtkViewTextureLayer::DescribeManifest(hachure::StyleArchive& archive)
 {
   const char* const key = "manifest";
-  if (!archive.isReading())
+  if (archive.getSession().copying)
+  {
+    if (archive.handOver(key, this->Views, this->ManifestFileName))
+    {
+      this->Modified();
+    }
+  }
+  else if (!archive.isReading())
   {
     if (!this->ManifestFileName.empty())
     {

@@ -188,7 +188,11 @@ void vtkViewTextureLayerPainter::UpdateCells(vtkPatternSurface& surface)
   {
     this->Buffers.UploadFrames(this->Window, cells->Frames, surface.Mesh().points, origin);
     this->SurfaceVersion = surface.GetVersion();
-    this->Origin = origin;
+    if (this->Origin != origin)
+    {
+      this->Origin = origin;
+      this->Colors->Cameras.clear(); // they are about the origin
+    }
   }
 }
 

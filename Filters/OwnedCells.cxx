@@ -85,8 +85,7 @@ bool draws(const Corners& own, const Corners& cell)
 }
 } // namespace
 
-std::vector<std::uint8_t> ownedCells(
-  vtkPolyData* part, vtkPolyData* whole, const std::string& ids)
+std::vector<std::uint8_t> ownedCells(vtkPolyData* part, vtkPolyData* whole, const std::string& ids)
 {
   std::vector<std::uint8_t> owned(static_cast<std::size_t>(whole->GetNumberOfPolys()), 0);
   vtkDataArray* numbers = part ? part->GetCellData()->GetArray(ids.c_str()) : nullptr;

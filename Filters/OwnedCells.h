@@ -20,8 +20,7 @@ namespace hachure
 /// For every polygon of the whole's block, 1 where the part has it. ids: the cell array of the part
 /// that tells cells of the whole; a part without it, or null, has none. Of a cell that was cut, the
 /// part that has one certain point of it draws all.
-std::vector<std::uint8_t> ownedCells(
-  vtkPolyData* part, vtkPolyData* whole, const std::string& ids);
+std::vector<std::uint8_t> ownedCells(vtkPolyData* part, vtkPolyData* whole, const std::string& ids);
 } // namespace hachure
 
 #endif

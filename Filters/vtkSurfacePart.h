@@ -12,10 +12,10 @@
  * that is the whole's block itself.
  *
  * Behind those blocks there are blocks of the surroundings of the part: polygons that others hold,
- * up to Surroundings away from it (all of a small surface), so that contours, marks and visibility know how the surface goes
- * on. They have a field array "NotDrawn": vtkPatternMapper leaves their pixels to whoever holds
- * them. Other blocks that the part touches surround it too. With other Surroundings alone, the
- * other blocks of the output stay the same objects.
+ * up to Surroundings away from it (all of a small surface), so that contours, marks and visibility
+ * know how the surface goes on. They have a field array "NotDrawn": vtkPatternMapper leaves their
+ * pixels to whoever holds them. Other blocks that the part touches surround it too. With other
+ * Surroundings alone, the other blocks of the output stay the same objects.
  *
  * A part of no known whole passes as it is.
  *

@@ -43,7 +43,8 @@ void vtkPatternPartMapper::CutPart(vtkDataObject* part, vtkDataObject* whole)
   this->Cut->SetInputDataObject(0, part);
   this->Cut->SetInputDataObject(1, whole);
   this->Cut->Update();
-  this->Drawn = vtkSmartPointer<vtkDataObject>::Take(this->Cut->GetOutputDataObject(0)->NewInstance());
+  this->Drawn =
+    vtkSmartPointer<vtkDataObject>::Take(this->Cut->GetOutputDataObject(0)->NewInstance());
   this->Drawn->ShallowCopy(this->Cut->GetOutputDataObject(0));
   this->Cut->SetInputDataObject(0, nullptr);
   this->Cut->SetInputDataObject(1, nullptr);
@@ -53,7 +54,8 @@ void vtkPatternPartMapper::CutPart(vtkDataObject* part, vtkDataObject* whole)
 // They are as wide as what is drawn reaches in the picture, however far away the surface is.
 void vtkPatternPartMapper::FitSurroundings(vtkRenderer* renderer, vtkActor* actor)
 {
-  const bool all = this->Drawn && this->GetWholeSurface()->GetNumberOfElements(vtkDataObject::CELL) <=
+  const bool all = this->Drawn &&
+    this->GetWholeSurface()->GetNumberOfElements(vtkDataObject::CELL) <=
       this->Cut->GetMaximumNumberOfCells();
   if (!this->Drawn || !this->Part || all || !this->GetController())
   {

@@ -111,7 +111,10 @@ public:
 
 #ifndef __VTK_WRAP__
   /// How far from a pixel the surface must be known to draw the layer there, in logical pixels.
-  virtual double GetReach(double vtkNotUsed(dotsPerInch)) { return 0.0; }
+  virtual double GetReach(double vtkNotUsed(dotsPerInch))
+  {
+    return 0.0;
+  }
 
   /** Lists the parameters of the field; style files are read and written through this. */
   virtual void DescribeField(hachure::StyleArchive& archive) = 0;

@@ -76,8 +76,8 @@ bool isOfThePart(const std::string& array)
 
 void hashTuples(vtkDataArray* array, std::vector<std::uint64_t>& hashes)
 {
-  const auto size =
-    static_cast<std::size_t>(array->GetNumberOfComponents() * array->GetDataTypeSize());
+  const std::size_t size = static_cast<std::size_t>(array->GetNumberOfComponents()) *
+    static_cast<std::size_t>(array->GetDataTypeSize());
   const auto* const bytes = static_cast<const unsigned char*>(array->GetVoidPointer(0));
   parallelFor(static_cast<std::int64_t>(hashes.size()),
     [&](std::int64_t i)

@@ -242,7 +242,7 @@ vtkSmartPointer<vtkDataObject> vtkWholeSurface::Filtered(vtkDataObject* surface)
   }
   this->Filter->SetInputDataObject(surface);
   this->Filter->Update();
-  const auto result = vtkSmartPointer<vtkDataObject>::Take(surface->NewInstance());
+  auto result = vtkSmartPointer<vtkDataObject>::Take(surface->NewInstance());
   result->ShallowCopy(this->Filter->GetOutputDataObject(0));
   this->Filter->SetInputDataObject(nullptr);
   return result;

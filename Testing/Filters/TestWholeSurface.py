@@ -148,7 +148,7 @@ assert (rows(whole_divided, "PatchId")[rows(divided, IDS)] == rows(divided, "Pat
 # A part: its cells on the points of the whole, and others around it that are marked.
 chosen = [i for i, place in enumerate(middle) if place[2] > 0.2]
 cap = taken(part, chosen)
-drawn = blocks(cut(cap, whole, Surroundings=0.1))
+drawn = blocks(cut(cap, whole, Surroundings=0.1, MaximumNumberOfCells=0))
 assert len(drawn) == 2 and drawn[0].GetPoints() is whole.GetPoints()
 assert sorted(map(str, corners(drawn[0]))) == sorted(str(shown[i]) for i in chosen)
 assert (rows(drawn[0], "Cell") == rows(whole, "Cell")[rows(drawn[0], IDS)]).all()
@@ -160,8 +160,10 @@ for i in set(range(len(shown))) - set(chosen):
     near = max(place[2] for place in shown[i]) > lowest - 0.05
     assert near <= (i in around), i
 assert min(middle[i][2] for i in around) > lowest - 0.1 * 3 ** 0.5 - 0.1
-narrow = blocks(cut(cap, whole, Surroundings=0))
+narrow = blocks(cut(cap, whole, Surroundings=0, MaximumNumberOfCells=0))
 assert 0 < narrow[1].GetNumberOfCells() < drawn[1].GetNumberOfCells()
+small = blocks(cut(cap, whole))
+assert small[0].GetNumberOfCells() + small[1].GetNumberOfCells() == whole.GetNumberOfCells()
 
 # All of it: the whole itself. Nothing of it: no cells, but the bounds of all. Parts of nothing known pass.
 everything = blocks(cut(part, whole))

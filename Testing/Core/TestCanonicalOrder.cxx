@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -97,8 +98,8 @@ std::vector<std::uint64_t> identitiesOf(const Polygons& polygons)
   std::vector<std::uint64_t> identities;
   for (const glm::dvec3& point : polygons.points)
   {
-    identities.push_back(static_cast<std::uint64_t>(1000.0 * point.x + 0.5) * 100000 +
-      static_cast<std::uint64_t>(1000.0 * point.y + 0.5));
+    identities.push_back(static_cast<std::uint64_t>(std::lround(1000.0 * point.x)) * 100000 +
+      static_cast<std::uint64_t>(std::lround(1000.0 * point.y)));
   }
   return identities;
 }

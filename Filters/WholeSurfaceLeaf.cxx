@@ -76,8 +76,8 @@ bool isOfThePart(const std::string& array)
 
 void hashTuples(vtkDataArray* array, std::vector<std::uint64_t>& hashes)
 {
-  const auto size =
-    static_cast<std::size_t>(array->GetNumberOfComponents() * array->GetDataTypeSize());
+  const std::size_t size = static_cast<std::size_t>(array->GetNumberOfComponents()) *
+    static_cast<std::size_t>(array->GetDataTypeSize());
   const auto* const bytes = static_cast<const unsigned char*>(array->GetVoidPointer(0));
   parallelFor(static_cast<std::int64_t>(hashes.size()),
     [&](std::int64_t i)
@@ -216,7 +216,13 @@ vtkSmartPointer<vtkPolyData> polygonsOf(vtkPolyData* block)
   return result;
 }
 
-void WholeSurfaceLeaf::assemble(const std::vector<vtkSmartPointer<vtkPolyData>>& parts)
+void addPolygons(vtkPolyData* polygons, CellBox& box)
+{
+  box.add(pointsOf(polygons), listsOf(polygons).cells());
+}
+
+void WholeSurfaceLeaf::assemble(
+  const std::vector<vtkSmartPointer<vtkPolyData>>& parts, const std::function<CellBox()>& boxOfAll)
 {
   std::vector<std::uint64_t> connectivity;
   connectivity.reserve(parts.size());
@@ -232,16 +238,16 @@ void WholeSurfaceLeaf::assemble(const std::vector<vtkSmartPointer<vtkPolyData>>&
   const vtkSmartPointer<vtkPolyData> all = appended(parts);
   if (connectivity != this->Connectivity || !this->Whole)
   {
-    this->order(all);
+    this->order(all, boxOfAll());
     this->Connectivity = connectivity;
   }
   this->build(all);
 }
 
-void WholeSurfaceLeaf::order(vtkPolyData* all)
+void WholeSurfaceLeaf::order(vtkPolyData* all, const CellBox& box)
 {
   const PolygonLists lists = listsOf(all);
-  this->Order = canonicalOrder(pointsOf(all), lists.cells());
+  this->Order = canonicalOrder(pointsOf(all), lists.cells(), box);
   this->CellNumbers.resize(this->Order.size());
   for (std::size_t i = 0; i < this->Order.size(); ++i)
   {

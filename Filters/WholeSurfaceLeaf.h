@@ -12,6 +12,7 @@
 #include <vtkType.h>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 class vtkDataSetAttributes;
@@ -27,13 +28,18 @@ vtkSmartPointer<vtkPolyData> polygonsOf(vtkPolyData* block);
 /// polygonsOf().
 vtkSmartPointer<vtkPolyData> withoutGhosts(vtkPolyData* block);
 
+/// Extends a box by polygons.
+void addPolygons(vtkPolyData* polygons, CellBox& box);
+
 class WholeSurfaceLeaf
 {
 public:
   /// Polygons of every process, in their order. The cells keep their order as long as all parts
   /// keep their connectivity, so that what is attached to them stays while they move. The arrays
-  /// are those that all parts with cells have.
-  void assemble(const std::vector<vtkSmartPointer<vtkPolyData>>& parts);
+  /// are those that all parts with cells have. boxOfAll: asked where an order is made; of all
+  /// blocks, so that a block's cells have the order that they have in a surface of one block.
+  void assemble(const std::vector<vtkSmartPointer<vtkPolyData>>& parts,
+    const std::function<CellBox()>& boxOfAll);
 
   vtkPolyData* whole() const { return this->Whole; }
   /// Of the polygon, and of the point, of a part: its cell or point in the whole; -1 where a point
@@ -42,7 +48,7 @@ public:
   vtkIdType pointOf(std::size_t part, vtkIdType point) const;
 
 private:
-  void order(vtkPolyData* appended);
+  void order(vtkPolyData* appended, const CellBox& box);
   void build(vtkPolyData* appended);
 
   std::vector<std::uint64_t> Connectivity; // a hash of every part's

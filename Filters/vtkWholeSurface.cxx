@@ -21,6 +21,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,19 @@ std::vector<Parts> Gathered(vtkDataObject* input, vtkMultiProcessController* con
     }
   }
   return leaves;
+}
+
+hachure::CellBox BoxOf(const std::vector<Parts>& leaves)
+{
+  hachure::CellBox box;
+  for (const Parts& parts : leaves)
+  {
+    for (vtkPolyData* part : parts)
+    {
+      hachure::addPolygons(part, box);
+    }
+  }
+  return box;
 }
 
 // Adds the arrays that the filter has added or replaced, by the number that `numberOf` gives.
@@ -228,7 +242,7 @@ vtkSmartPointer<vtkDataObject> vtkWholeSurface::Filtered(vtkDataObject* surface)
   }
   this->Filter->SetInputDataObject(surface);
   this->Filter->Update();
-  const auto result = vtkSmartPointer<vtkDataObject>::Take(surface->NewInstance());
+  auto result = vtkSmartPointer<vtkDataObject>::Take(surface->NewInstance());
   result->ShallowCopy(this->Filter->GetOutputDataObject(0));
   this->Filter->SetInputDataObject(nullptr);
   return result;
@@ -245,18 +259,23 @@ int vtkWholeSurface::RequestData(
     part->ShallowCopy(this->Filtered(input));
     return 1;
   }
-  std::vector<Parts> leaves = Gathered(input, this->Controller);
+  const std::vector<Parts> leaves = Gathered(input, this->Controller);
   this->UpdateProgress(0.3);
   this->Internal->Leaves.resize(leaves.size());
   this->Internal->Rank =
     IsAlone(this->Controller) ? 0 : static_cast<std::size_t>(this->Controller->GetLocalProcessId());
   std::vector<vtkSmartPointer<vtkPolyData>> blocks;
   blocks.reserve(leaves.size());
+  std::optional<hachure::CellBox> box;
+  const auto boxOfAll = [&]()
+  {
+    box = box ? box : BoxOf(leaves);
+    return *box;
+  };
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
-    this->Internal->Leaves[i].assemble(leaves[i]);
+    this->Internal->Leaves[i].assemble(leaves[i], boxOfAll);
     blocks.emplace_back(this->Internal->Leaves[i].whole());
-    leaves[i].clear();
   }
   this->UpdateProgress(0.7);
   const auto assembled = hachure::withLeaves(input, blocks);

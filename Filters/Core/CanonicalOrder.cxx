@@ -32,12 +32,6 @@ struct CellKey
   }
 };
 
-struct Box
-{
-  glm::dvec3 low{ std::numeric_limits<double>::infinity() };
-  glm::dvec3 high{ -std::numeric_limits<double>::infinity() };
-};
-
 void checkCorners(const PolygonCells& cells, std::size_t points)
 {
   for (const std::int64_t corner : cells.corners)
@@ -48,22 +42,6 @@ void checkCorners(const PolygonCells& cells, std::size_t points)
         std::to_string(points) + " points");
     }
   }
-}
-
-// Of the points that cells use: others need not be the same for another division.
-Box boxOf(Span<const glm::dvec3> points, const PolygonCells& cells)
-{
-  Box box;
-  for (const std::int64_t corner : cells.corners)
-  {
-    const glm::dvec3& point = points[static_cast<std::size_t>(corner)];
-    if (std::isfinite(point.x + point.y + point.z))
-    {
-      box.low = glm::min(box.low, point);
-      box.high = glm::max(box.high, point);
-    }
-  }
-  return box;
 }
 
 // The lowest 21 bits, two zeros after each.
@@ -77,7 +55,7 @@ std::uint64_t spreadBits(std::uint64_t value)
   return (value | value << 2) & 0x1249249249249249ull;
 }
 
-std::uint64_t placeOf(const glm::dvec3& point, const Box& box)
+std::uint64_t placeOf(const glm::dvec3& point, const CellBox& box)
 {
   if (!std::isfinite(point.x + point.y + point.z))
   {
@@ -89,7 +67,7 @@ std::uint64_t placeOf(const glm::dvec3& point, const Box& box)
   {
     const double extent = box.high[axis] - box.low[axis];
     const double share = extent > 0.0 ? (point[axis] - box.low[axis]) / extent : 0.0;
-    place |= spreadBits(static_cast<std::uint64_t>(share * steps)) << axis;
+    place |= spreadBits(static_cast<std::uint64_t>(std::clamp(share, 0.0, 1.0) * steps)) << axis;
   }
   return place;
 }
@@ -102,7 +80,7 @@ std::uint64_t bitsOf(double value)
 }
 
 CellKey keyOf(
-  Span<const glm::dvec3> points, const PolygonCells& cells, const Box& box, std::int64_t cell)
+  Span<const glm::dvec3> points, const PolygonCells& cells, const CellBox& box, std::int64_t cell)
 {
   const auto begin = cells.offsets[static_cast<std::size_t>(cell)];
   const auto end = cells.offsets[static_cast<std::size_t>(cell) + 1];
@@ -123,10 +101,31 @@ CellKey keyOf(
 }
 } // namespace
 
-std::vector<std::int64_t> canonicalOrder(Span<const glm::dvec3> points, const PolygonCells& cells)
+void CellBox::add(Span<const glm::dvec3> points, const PolygonCells& cells)
 {
   checkCorners(cells, points.size());
-  const Box box = boxOf(points, cells);
+  for (const std::int64_t corner : cells.corners)
+  {
+    const glm::dvec3& point = points[static_cast<std::size_t>(corner)];
+    if (std::isfinite(point.x + point.y + point.z))
+    {
+      this->low = glm::min(this->low, point);
+      this->high = glm::max(this->high, point);
+    }
+  }
+}
+
+std::vector<std::int64_t> canonicalOrder(Span<const glm::dvec3> points, const PolygonCells& cells)
+{
+  CellBox box;
+  box.add(points, cells);
+  return canonicalOrder(points, cells, box);
+}
+
+std::vector<std::int64_t> canonicalOrder(
+  Span<const glm::dvec3> points, const PolygonCells& cells, const CellBox& box)
+{
+  checkCorners(cells, points.size());
   std::vector<CellKey> keys(static_cast<std::size_t>(cells.count()));
   parallelFor(cells.count(),
     [&](std::int64_t cell)

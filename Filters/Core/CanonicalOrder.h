@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 // An order of a surface's cells and points that depends on where they are alone: not on how the
@@ -28,10 +29,23 @@ struct PolygonCells
   }
 };
 
+/// Bounds of cells; none, with low above high, at first.
+struct CellBox
+{
+  glm::dvec3 low{ std::numeric_limits<double>::infinity() };
+  glm::dvec3 high{ -std::numeric_limits<double>::infinity() };
+  /// Extends it by the finite corners of cells. Throws as canonicalOrder() does.
+  void add(Span<const glm::dvec3> points, const PolygonCells& cells);
+};
+
 /// The cells along a space-filling curve through the middles of their corners, then by a hash of
 /// their corners' coordinates; only cells whose corners are equal and in the same order keep the
-/// order that they have. Cells with a corner that is not finite come last. Throws
-/// std::invalid_argument where a corner is not a point.
+/// order that they have. Cells with a corner that is not finite come last. box: what the curve
+/// fills; cells have the same order in all surfaces that share one. Throws std::invalid_argument
+/// where a corner is not a point.
+std::vector<std::int64_t> canonicalOrder(
+  Span<const glm::dvec3> points, const PolygonCells& cells, const CellBox& box);
+/// The same in the bounds of these cells.
 std::vector<std::int64_t> canonicalOrder(Span<const glm::dvec3> points, const PolygonCells& cells);
 
 /// Points that are told apart by a number.

@@ -32,10 +32,6 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   float depth = texelFetch(hachureSurfaceDepth, pixel, 0).r;
   vec4 surface = texelFetch(hachureSurfaceColor, pixel, 0);
-  if (surface.a < 0.06)
-  {
-    discard;
-  }
   bool hasData = surface.a > 0.4;
   vec4 tones = hasData ? texelFetch(hachureSurfaceTone, pixel, 0) : vec4(-1.0);
   //Hachure::Surface::Impl

@@ -130,6 +130,34 @@ TEST(CanonicalOrder, CellsThatFollowEachOtherAreNear)
   EXPECT_LT(sum / static_cast<double>(order.size() - 1), 0.3); // sides are 0.1, the sheet is 6.4
 }
 
+TEST(CanonicalOrder, PartsInOneBoxKeepTheOrderOfAll)
+{
+  const Polygons all = sheet(16);
+  CellBox box;
+  box.add(all.points, all.cells());
+  Polygons part;
+  part.points = all.points;
+  std::vector<std::vector<glm::dvec3>> expected;
+  for (const std::int64_t cell : canonicalOrder(all.points, all.cells()))
+  {
+    if (cell % 3 == 0)
+    {
+      expected.push_back(all.places(cell));
+    }
+  }
+  for (std::size_t cell = 0; cell < 256; cell += 3)
+  {
+    part.add({ all.corners[4 * cell], all.corners[4 * cell + 1], all.corners[4 * cell + 2],
+      all.corners[4 * cell + 3] });
+  }
+  const auto order = canonicalOrder(part.points, part.cells(), box);
+  ASSERT_EQ(order.size(), expected.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    EXPECT_EQ(part.places(order[i]), expected[i]);
+  }
+}
+
 TEST(CanonicalOrder, CellsThatAreNotFiniteComeLast)
 {
   Polygons given = sheet(3);

@@ -47,34 +47,37 @@ assert same(draw(blocks, PatternPatches="None"), draw(blocks)), "blocks are patc
 by_block = draw(blocks, PatternPatches="Blocks")
 assert scene.difference(connected, by_block) < 0.01, "blocks"  # rounding differs
 
-# Compact patches, and the same ones from the filter, which the data then bring along.
+# Compact patches; those of the filter, which the data then bring along, are other ones: the representation makes
+# them in an order of cells that does not depend on the data's.
 automatic = {"PatternPatches": "Automatic", "PatternNumberOfPatches": 6}
-sharp = draw(name="patches-sharp", PatternPatchBlend=0, **automatic)
-assert scene.difference(connected, sharp) > 1.0
+compact = draw(name="patches-compact", PatternPatchBlend=0, **automatic)
+assert scene.difference(connected, compact) > 1.0
+turned = draw(PatternPatchBlend=0, PatternNormalWeight=2, **automatic)
+assert not same(turned, compact), "the weight of normals changes nothing"
 filtered = scene.HachureSurfacePatches(Input=sides, NumberOfPatches=6)
+from_filter = {"PatternPatches": "Array", "PatternPatchArray": ["CELLS", "PatchId"]}
+sharp = draw(filtered, name="patches-sharp", PatternPatchBlend=0, **from_filter)
+assert scene.difference(connected, sharp) > 1.0
 assert same(sharp, draw(filtered)), "patches of the data are not used"
 assert same(one, draw(filtered, PatternPatches="None")), "patches of the data where none were asked for"
-blended = draw(name="patches-blended", PatternPatchBlend=2, **automatic)
-strong = draw(PatternPatchBlend=2, PatternPatchPower=0.3, **automatic)
+blended = draw(filtered, name="patches-blended", PatternPatchBlend=2, **from_filter)
+strong = draw(filtered, PatternPatchBlend=2, PatternPatchPower=0.3, **from_filter)
 assert strong.mean() < blended.mean() - 0.2, (strong.mean(), blended.mean())
 weighed = scene.HachurePatchBlendWeights(Input=filtered, Rings=2)
 assert scene.difference(sharp, blended) > 0.5, "blending changes nothing"
 assert same(blended, draw(weighed)), "weights of the data are not used"
-assert same(sharp, draw(weighed, PatternPatchBlend=0, **automatic)), "weights of other patches"
+assert same(sharp, draw(weighed, PatternPatchBlend=0, **from_filter)), "weights of other patches"
 
 distance = {"PatternPatchBlendMode": "Distance", "PatternPatchBlendDistance": 0.1}
-far = draw(name="patches-far", **distance, **automatic)
+far = draw(filtered, name="patches-far", **distance, **from_filter)
 weighed = scene.HachurePatchBlendWeights(Input=filtered, WidthMode="Distance", Distance=0.1)
 assert scene.difference(blended, far) > 0.2, "a distance changes nothing"
 assert same(far, draw(weighed)), "weights by distance"
 distance["PatternPatchBlendDistance"] = 0
-assert same(sharp, draw(**distance, **automatic)), "no distance is no sharp border"
-cells = draw(PatternPatchBlend=1, PatternBorderWeights="By cells", **automatic)
-assert not same(cells, draw(PatternPatchBlend=1, **automatic)), "weights on borders change nothing"
+assert same(sharp, draw(filtered, **distance, **from_filter)), "no distance is no sharp border"
+cells = draw(filtered, PatternPatchBlend=1, PatternBorderWeights="By cells", **from_filter)
+assert not same(cells, draw(filtered, PatternPatchBlend=1, **from_filter)), "weights on borders change nothing"
 assert same(cells, draw(scene.HachurePatchBlendWeights(Input=filtered, Rings=1, Initial="Faces")))
-turned = scene.HachureSurfacePatches(Input=sides, NumberOfPatches=6, NormalWeight=2)
-assert same(draw(turned), draw(PatternPatchBlend=0, PatternNormalWeight=2, **automatic))
-assert not same(draw(turned), sharp), "the weight of normals changes nothing"
 
 # Two blocks that touch hang together, unless they are not to be joined.
 half = simple.Clip(Input=spheres[0], ClipType="Plane", Invert=1)

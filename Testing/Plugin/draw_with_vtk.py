@@ -25,10 +25,17 @@ vector = lambda text: [float(part) for part in text.split(",")]
 
 reader = vtkXMLPolyDataReader()
 reader.SetFileName(surface)
-reader.Update()
+# In the order in which ParaView's representation takes it.
+whole = hachure.vtkWholeSurface()
+whole.SetInputConnection(reader.GetOutputPort())
+part = hachure.vtkSurfacePart()
+part.SetInputConnection(0, whole.GetOutputPort(0))
+part.SetInputConnection(1, whole.GetOutputPort(1))
+part.Update()
 for style in sys.argv[9:]:
     mapper = hachure.vtkPatternMapper()
-    mapper.SetInputConnection(reader.GetOutputPort())
+    mapper.SetInputConnection(part.GetOutputPort())
+    mapper.SetWholeSurface(whole.GetOutputDataObject(1))
     mapper.ScalarVisibilityOff()
     mapper.GetStyle().LoadPreset(style)
     actor = vtkActor()

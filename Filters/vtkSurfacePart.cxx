@@ -28,7 +28,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <exception>
 #include <vector>
 
 vtkStandardNewMacro(vtkSurfacePart);

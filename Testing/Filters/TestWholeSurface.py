@@ -8,8 +8,8 @@ from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkIdList
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkElevationFilter, vtkStripper
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPlane, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkClipPolyData, vtkElevationFilter, vtkStripper
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
 
 IDS = hachure.vtkWholeSurface.GetCellIdsName()
@@ -162,8 +162,25 @@ for i in set(range(len(shown))) - set(chosen):
 assert min(middle[i][2] for i in around) > lowest - 0.1 * 3 ** 0.5 - 0.1
 narrow = blocks(cut(cap, whole, Surroundings=0, MaximumNumberOfCells=0))
 assert 0 < narrow[1].GetNumberOfCells() < drawn[1].GetNumberOfCells()
+assert hachure.vtkSurfacePart.GetSurroundedBlock(narrow[1]) == 0
+assert hachure.vtkSurfacePart.GetSurroundedBlock(narrow[0]) == -1
+
+# All others surround a part of a small surface. Of a cell that was cut, one of the pieces has all.
 small = blocks(cut(cap, whole))
-assert small[0].GetNumberOfCells() + small[1].GetNumberOfCells() == whole.GetNumberOfCells()
+assert set(rows(small[1], "Cell")) == set(range(len(shown))) - set(chosen)
+halves = []
+for inside in False, True:
+    plane = vtkPlane()
+    plane.SetOrigin(0.0, 0.0, 0.2)
+    plane.SetNormal(0.0, 0.0, 1.0)
+    clip = vtkClipPolyData()
+    clip.SetInputData(part)
+    clip.SetClipFunction(plane)
+    clip.SetInsideOut(inside)
+    clip.Update()
+    assert clip.GetOutput().GetNumberOfPolys() > len(shown) // 4
+    halves.append(rows(blocks(cut(clip.GetOutput(), whole))[0], IDS))
+assert sum(map(len, halves)) == len(shown) == len(set(halves[0]) | set(halves[1]))
 
 # All of it: the whole itself. Nothing of it: no cells, but the bounds of all. Parts of nothing known pass.
 everything = blocks(cut(part, whole))

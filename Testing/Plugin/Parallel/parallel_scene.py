@@ -7,6 +7,7 @@ One process draws all pictures and keeps them; more processes draw them again, a
 
 import os
 import sys
+import traceback
 
 import numpy
 
@@ -27,6 +28,17 @@ test = os.path.splitext(os.path.basename(sys.argv[0]))[0]
 folder = os.path.join(scene.output_folder, test)
 os.makedirs(folder, exist_ok=True)
 failures = []
+
+
+def abort(*problem):
+    """Ends this process at once, and by that all others, which would wait for it."""
+    traceback.print_exception(*problem)
+    sys.stderr.flush()
+    os._exit(1)
+
+
+if RANKS > 1:
+    sys.excepthook = abort
 
 
 def seam(first, second):

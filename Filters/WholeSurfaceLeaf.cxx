@@ -27,13 +27,6 @@ namespace hachure
 {
 namespace
 {
-struct PolygonLists
-{
-  std::vector<std::int64_t> offsets;
-  std::vector<std::int64_t> corners;
-  PolygonCells cells() const { return { this->offsets, this->corners }; }
-};
-
 std::vector<std::int64_t> numbersOf(vtkDataArray* array)
 {
   const auto count = array ? static_cast<std::size_t>(array->GetNumberOfTuples()) : 0;
@@ -47,15 +40,9 @@ std::vector<std::int64_t> numbersOf(vtkDataArray* array)
   return numbers;
 }
 
-PolygonLists listsOf(vtkPolyData* polygons)
-{
-  return { numbersOf(polygons->GetPolys()->GetOffsetsArray()),
-    numbersOf(polygons->GetPolys()->GetConnectivityArray()) };
-}
-
 std::uint64_t connectivityOf(vtkPolyData* part)
 {
-  const PolygonLists lists = listsOf(part);
+  const PolygonLists lists = polygonLists(part);
   auto hash = static_cast<std::uint64_t>(part->GetNumberOfPoints());
   for (const std::vector<std::int64_t>* list : { &lists.offsets, &lists.corners })
   {
@@ -112,16 +99,6 @@ std::vector<std::uint64_t> identitiesOf(vtkPolyData* surface)
     }
   }
   return hashes;
-}
-
-std::vector<glm::dvec3> pointsOf(vtkPolyData* surface)
-{
-  std::vector<glm::dvec3> points(static_cast<std::size_t>(surface->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    surface->GetPoint(static_cast<vtkIdType>(i), &points[i][0]);
-  }
-  return points;
 }
 
 vtkSmartPointer<vtkPolyData> appended(const std::vector<vtkSmartPointer<vtkPolyData>>& parts)
@@ -216,9 +193,25 @@ vtkSmartPointer<vtkPolyData> polygonsOf(vtkPolyData* block)
   return result;
 }
 
+PolygonLists polygonLists(vtkPolyData* polygons)
+{
+  return { numbersOf(polygons->GetPolys()->GetOffsetsArray()),
+    numbersOf(polygons->GetPolys()->GetConnectivityArray()) };
+}
+
+std::vector<glm::dvec3> pointsOf(vtkPolyData* surface)
+{
+  std::vector<glm::dvec3> points(static_cast<std::size_t>(surface->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    surface->GetPoint(static_cast<vtkIdType>(i), &points[i][0]);
+  }
+  return points;
+}
+
 void addPolygons(vtkPolyData* polygons, CellBox& box)
 {
-  box.add(pointsOf(polygons), listsOf(polygons).cells());
+  box.add(pointsOf(polygons), polygonLists(polygons).cells());
 }
 
 void WholeSurfaceLeaf::assemble(
@@ -246,7 +239,7 @@ void WholeSurfaceLeaf::assemble(
 
 void WholeSurfaceLeaf::order(vtkPolyData* all, const CellBox& box)
 {
-  const PolygonLists lists = listsOf(all);
+  const PolygonLists lists = polygonLists(all);
   this->Order = canonicalOrder(pointsOf(all), lists.cells(), box);
   this->CellNumbers.resize(this->Order.size());
   for (std::size_t i = 0; i < this->Order.size(); ++i)
@@ -266,7 +259,7 @@ void WholeSurfaceLeaf::build(vtkPolyData* all)
     points->SetNumberOfPoints(static_cast<vtkIdType>(this->Points.first.size()));
     all->GetPoints()->GetData()->GetTuples(listOf(this->Points.first), points->GetData());
   }
-  const PolygonLists lists = listsOf(all);
+  const PolygonLists lists = polygonLists(all);
   vtkNew<vtkCellArray> polygons;
   polygons->AllocateExact(
     static_cast<vtkIdType>(this->Order.size()), static_cast<vtkIdType>(lists.corners.size()));

@@ -28,6 +28,16 @@ vtkSmartPointer<vtkPolyData> polygonsOf(vtkPolyData* block);
 /// polygonsOf().
 vtkSmartPointer<vtkPolyData> withoutGhosts(vtkPolyData* block);
 
+/// Polygons of a block as Core takes them.
+struct PolygonLists
+{
+  std::vector<std::int64_t> offsets;
+  std::vector<std::int64_t> corners;
+  PolygonCells cells() const { return { this->offsets, this->corners }; }
+};
+PolygonLists polygonLists(vtkPolyData* polygons);
+std::vector<glm::dvec3> pointsOf(vtkPolyData* surface);
+
 /// Extends a box by polygons.
 void addPolygons(vtkPolyData* polygons, CellBox& box);
 

@@ -48,14 +48,16 @@ vtkDataArray* CellIds(vtkPolyData* block)
   return block->GetCellData()->GetArray(vtkWholeSurface::GetCellIdsName());
 }
 
-std::vector<vtkIdType> Chosen(const std::vector<std::uint8_t>& owned)
+// The cells that are owned, or those that are not.
+template <class Number>
+std::vector<Number> CellsThatAre(bool wanted, const std::vector<std::uint8_t>& owned)
 {
-  std::vector<vtkIdType> cells;
+  std::vector<Number> cells;
   for (std::size_t i = 0; i < owned.size(); ++i)
   {
-    if (owned[i] != 0)
+    if ((owned[i] != 0) == wanted)
     {
-      cells.push_back(static_cast<vtkIdType>(i));
+      cells.push_back(static_cast<Number>(i));
     }
   }
   return cells;
@@ -178,22 +180,11 @@ vtkSmartPointer<vtkPolyData> DrawnBlock(
   {
     return whole;
   }
-  const vtkSmartPointer<vtkPolyData> polygons = Polygons(whole, Chosen(owned));
+  const vtkSmartPointer<vtkPolyData> polygons =
+    Polygons(whole, CellsThatAre<vtkIdType>(true, owned));
   vtkSmartPointer<vtkPolyData> drawn = lines ? WithLines(part, polygons) : polygons;
   CellIds(drawn)->GetInformation()->Set(PointsKey(), whole->GetPoints());
   return drawn;
-}
-
-std::vector<std::int64_t> Numbers(vtkDataArray* array)
-{
-  std::vector<std::int64_t> numbers;
-  const vtkIdType count = array ? array->GetNumberOfTuples() : 0;
-  numbers.reserve(static_cast<std::size_t>(count));
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    numbers.push_back(static_cast<std::int64_t>(array->GetComponent(i, 0)));
-  }
-  return numbers;
 }
 
 // The cells of all blocks behind each other, so that blocks that touch surround each other.
@@ -208,18 +199,14 @@ struct JoinedCells
   {
     const auto firstPoint = static_cast<std::int64_t>(this->points.size());
     const auto firstCorner = static_cast<std::int64_t>(this->corners.size());
-    for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
+    const std::vector<glm::dvec3> places = hachure::pointsOf(block);
+    this->points.insert(this->points.end(), places.begin(), places.end());
+    const hachure::PolygonLists lists = hachure::polygonLists(block);
+    for (std::size_t i = 1; i < lists.offsets.size(); ++i)
     {
-      glm::dvec3 point(0.0);
-      block->GetPoint(i, &point[0]);
-      this->points.push_back(point);
+      this->offsets.push_back(firstCorner + lists.offsets[i]);
     }
-    const std::vector<std::int64_t> ends = Numbers(block->GetPolys()->GetOffsetsArray());
-    for (std::size_t i = 1; i < ends.size(); ++i)
-    {
-      this->offsets.push_back(firstCorner + ends[i]);
-    }
-    for (const std::int64_t corner : Numbers(block->GetPolys()->GetConnectivityArray()))
+    for (const std::int64_t corner : lists.corners)
     {
       this->corners.push_back(firstPoint + corner);
     }
@@ -237,19 +224,6 @@ vtkSmartPointer<vtkPolyData> SurroundingBlock(
   CellIds(block)->GetInformation()->Set(PointsKey(), whole->GetPoints());
   block->GetFieldData()->AddArray(mark);
   return block;
-}
-
-std::vector<std::int64_t> Others(const std::vector<std::uint8_t>& owned)
-{
-  std::vector<std::int64_t> cells;
-  for (std::size_t i = 0; i < owned.size(); ++i)
-  {
-    if (owned[i] == 0)
-    {
-      cells.push_back(static_cast<std::int64_t>(i));
-    }
-  }
-  return cells;
 }
 
 // owned: of the cells of every block; empty for blocks without polygons. all: the largest number of
@@ -272,7 +246,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> SurroundingBlocks(const std::vector<vt
     return blocks;
   }
   const std::vector<std::int64_t> near = static_cast<vtkIdType>(joined.owned.size()) <= all
-    ? Others(joined.owned)
+    ? CellsThatAre<std::int64_t>(false, joined.owned)
     : hachure::nearCells(joined.points, { joined.offsets, joined.corners }, joined.owned, distance);
   auto next = near.begin();
   std::int64_t first = 0;

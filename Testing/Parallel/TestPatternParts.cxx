@@ -105,6 +105,7 @@ struct Scene
     this->Whole->SetInputData(surface);
     this->Part->SetInputConnection(0, this->Whole->GetOutputPort(0));
     this->Part->SetInputConnection(1, this->Whole->GetOutputPort(1));
+    this->Part->SetMaximumNumberOfCells(0); // as for a large surface
     this->Part->Update();
     this->Mapper->GetStyle()->LoadPreset(style);
     this->Mapper->SetInputConnection(this->Part->GetOutputPort());
